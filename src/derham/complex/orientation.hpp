@@ -1,0 +1,23 @@
+#pragma once
+
+#include "derham/core/types.hpp"
+
+#include <vector>
+
+namespace derham {
+
+/// A coherent choice of signs of the top simplices, or the proof that there is none.
+///
+/// `sign[t]` is S(representative of top simplex t). Signs are coherent when for every facet with two cofaces the two
+/// entries of the boundary matrix are opposite. The free sign of each component makes its first input tuple positive,
+/// until positions say otherwise. A component is a set of top simplices connected across facets with two cofaces.
+struct Orientation {
+  bool orientable = true;
+  Index components = 0;
+  std::vector<Sign> sign;         ///< (|K_n|,); all +1 when not orientable
+  std::vector<Index> component;   ///< (|K_n|,) component of each top simplex; empty when components <= 1
+  std::vector<Index> one_sided;   ///< when not orientable: a closed walk of top simplices, each sharing a facet with the
+                                  ///< next and the last with the first, along which orientation is reversed
+};
+
+}  // namespace derham

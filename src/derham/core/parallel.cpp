@@ -1,0 +1,70 @@
+#include "derham/core/parallel.hpp"
+
+#include "derham/core/error.hpp"
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#ifdef DERHAM_THREADS_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace derham {
+namespace {
+std::atomic<int> chosen_threads{0};
+}
+
+int thread_count() {
+  const int chosen = chosen_threads.load();
+  if (chosen > 0) return chosen;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void set_thread_count(int count) {
+  if (count < 1) throw InputError("thread count is " + std::to_string(count) + "; it must be at least 1");
+  chosen_threads = count;
+}
+
+namespace detail {
+
+void run_blocks(Offset blocks, BlockFunction function, void* context) {
+  const Offset threads = std::min<Offset>(thread_count(), blocks);
+  if (threads <= 1) {
+    for (Offset block = 0; block < blocks; ++block) function(context, block);
+    return;
+  }
+#if defined(DERHAM_THREADS_TBB)
+  tbb::task_arena arena(static_cast<int>(threads));
+  arena.execute([&] {
+    tbb::parallel_for(Offset{0}, blocks, [&](Offset block) { function(context, block); }, tbb::simple_partitioner());
+  });
+#elif defined(DERHAM_THREADS_STD)
+  std::atomic<Offset> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto work = [&] {
+    try {
+      for (Offset block = next++; block < blocks; block = next++) function(context, block);
+    } catch (...) {
+      const std::lock_guard lock(failure_mutex);
+      if (!failure) failure = std::current_exception();
+      next = blocks;
+    }
+  };
+  std::vector<std::jthread> workers;
+  for (Offset i = 1; i < threads; ++i) workers.emplace_back(work);
+  work();
+  workers.clear();
+  if (failure) std::rethrow_exception(failure);
+#else
+  for (Offset block = 0; block < blocks; ++block) function(context, block);
+#endif
+}
+
+}  // namespace detail
+}  // namespace derham
