@@ -2,6 +2,7 @@
 
 #include "derham/core/types.hpp"
 
+#include <span>
 #include <vector>
 
 namespace derham {
@@ -14,10 +15,20 @@ namespace derham {
 struct Orientation {
   bool orientable = true;
   Index components = 0;
-  std::vector<Sign> sign;         ///< (|K_n|,); all +1 when not orientable
-  std::vector<Index> component;   ///< (|K_n|,) component of each top simplex; empty when components <= 1
-  std::vector<Index> one_sided;   ///< when not orientable: a closed walk of top simplices, each sharing a facet with the
-                                  ///< next and the last with the first, along which orientation is reversed
+  std::vector<Sign> sign;        ///< (|K_n|,); all +1 when not orientable
+  std::vector<Index> component;  ///< (|K_n|,) component of each top simplex; empty when components <= 1
+  std::vector<Index> one_sided;  ///< when not orientable: a closed walk of top simplices, each sharing a facet with the
+                                 ///< next and the last with the first, along which orientation is reversed
 };
+
+template <int n>
+class SimplicialComplex;
+
+/// The coherent orientation of the top simplices of K, found by breadth-first search across facets with two cofaces.
+/// `preferred` (|K_n|,) holds the sign that each representative would like; the first top simplex of a component gets
+/// it. Cost     linear Throws   InputError if `preferred` has another size Source   Elcott & Schröder, "Building your
+/// own DEC at home", §3.2, made independent of an embedding
+template <int n>
+[[nodiscard]] Orientation coherent_orientation(const SimplicialComplex<n>& K, std::span<const Sign> preferred);
 
 }  // namespace derham

@@ -21,13 +21,14 @@ struct RowTarget {
 /// An oriented abstract simplicial complex of dimension n (0 <= n <= 6), closed under faces, immutable but for the free
 /// sign of each component. It knows no coordinates.
 ///
-/// K_k, the list of k-simplices, holds one sorted representative each, without duplicates: vertices by id, top simplices
-/// in the order of the input, every degree between in lexicographic order. The position in the list is the index of the
-/// simplex in every form and matrix. Representatives of degree < n are positive; those of degree n carry `sign(t)`.
+/// K_k, the list of k-simplices, holds one sorted representative each, without duplicates: vertices by id, top
+/// simplices in the order of the input, every degree between in lexicographic order. The position in the list is the
+/// index of the simplex in every form and matrix. Representatives of degree < n are positive; those of degree n carry
+/// `sign(t)`.
 ///
-/// Faces of a sorted simplex are stored in increasing index order, which for sorted tuples is: first the face that omits
-/// the last vertex, last the face that omits the first. Position j of the table omits vertex k-j and has the relative
-/// orientation (-1)^(k-j); no signs are stored.
+/// Faces of a sorted simplex are stored in increasing index order, which for sorted tuples is: first the face that
+/// omits the last vertex, last the face that omits the first. Position j of the table omits vertex k-j and has the
+/// relative orientation (-1)^(k-j); no signs are stored.
 ///
 /// Source   Elcott & Schröder, "Building your own DEC at home", §2, §3, §5
 template <int n>
@@ -51,12 +52,15 @@ class SimplicialComplex {
 
   /// |K_k|; 0 for k outside 0..n.
   [[nodiscard]] Index size(int k) const noexcept {
-    return k < 0 || k > n ? 0 : static_cast<Index>(simplices_[static_cast<std::size_t>(k)].size() / (static_cast<std::size_t>(k) + 1));
+    return k < 0 || k > n
+               ? 0
+               : static_cast<Index>(simplices_[static_cast<std::size_t>(k)].size() / (static_cast<std::size_t>(k) + 1));
   }
 
   /// The sorted representative of k-simplex i: k+1 vertex ids.
   [[nodiscard]] std::span<const Index> simplex(int k, Index i) const noexcept {
-    return simplices(k).subspan(static_cast<std::size_t>(i) * (static_cast<std::size_t>(k) + 1), static_cast<std::size_t>(k) + 1);
+    return simplices(k).subspan(static_cast<std::size_t>(i) * (static_cast<std::size_t>(k) + 1),
+                                static_cast<std::size_t>(k) + 1);
   }
   template <int k>
   [[nodiscard]] std::span<const Index, k + 1> simplex(Index i) const noexcept {
@@ -64,11 +68,14 @@ class SimplicialComplex {
   }
 
   /// All representatives of degree k, shape (|K_k|, k+1) row-major.
-  [[nodiscard]] std::span<const Index> simplices(int k) const noexcept { return simplices_[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] std::span<const Index> simplices(int k) const noexcept {
+    return simplices_[static_cast<std::size_t>(k)];
+  }
 
   /// Indices of the k+1 faces of k-simplex i (k >= 1) in K_{k-1}; position j omits vertex k-j.
   [[nodiscard]] std::span<const Index> faces(int k, Index i) const noexcept {
-    return face_table(k).subspan(static_cast<std::size_t>(i) * (static_cast<std::size_t>(k) + 1), static_cast<std::size_t>(k) + 1);
+    return face_table(k).subspan(static_cast<std::size_t>(i) * (static_cast<std::size_t>(k) + 1),
+                                 static_cast<std::size_t>(k) + 1);
   }
   template <int k>
   [[nodiscard]] std::span<const Index, k + 1> faces(Index i) const noexcept {
@@ -81,9 +88,11 @@ class SimplicialComplex {
     return faces(k, i)[static_cast<std::size_t>(k - vertex)];
   }
 
-  /// All face indices of degree k >= 1, shape (|K_k|, k+1) row-major. For k = 1 the faces (v0, v1) of an edge are its tuple.
+  /// All face indices of degree k >= 1, shape (|K_k|, k+1) row-major. For k = 1 the faces (v0, v1) of an edge are its
+  /// tuple.
   [[nodiscard]] std::span<const Index> face_table(int k) const noexcept {
-    return k == 1 ? std::span<const Index>(simplices_[1 % (n + 1)]) : std::span<const Index>(faces_[static_cast<std::size_t>(k)]);
+    return k == 1 ? std::span<const Index>(simplices_[1 % (n + 1)])
+                  : std::span<const Index>(faces_[static_cast<std::size_t>(k)]);
   }
 
   /// Index and sign of any alias: S(t) = S(P) S(P(t)). {-1, 0} if the tuple is not a simplex of K.

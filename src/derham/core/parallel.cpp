@@ -41,7 +41,8 @@ void run_blocks(Offset blocks, BlockFunction function, void* context) {
 #if defined(DERHAM_THREADS_TBB)
   tbb::task_arena arena(static_cast<int>(threads));
   arena.execute([&] {
-    tbb::parallel_for(Offset{0}, blocks, [&](Offset block) { function(context, block); }, tbb::simple_partitioner());
+    tbb::parallel_for(
+        Offset{0}, blocks, [&](Offset block) { function(context, block); }, tbb::simple_partitioner());
   });
 #elif defined(DERHAM_THREADS_STD)
   std::atomic<Offset> next{0};

@@ -28,13 +28,12 @@ void parallel_blocks(Offset size, Offset grain, Body&& body) {
     std::remove_reference_t<Body>* body;
     Offset size, grain;
   } context{&body, size, grain};
-  detail::run_blocks(
-      (size + grain - 1) / grain,
-      [](void* raw, Offset block) {
-        const auto& c = *static_cast<Context*>(raw);
-        (*c.body)(block * c.grain, std::min(c.size, (block + 1) * c.grain));
-      },
-      &context);
+  detail::run_blocks((size + grain - 1) / grain,
+                     [](void* raw, Offset block) {
+                       const auto& c = *static_cast<Context*>(raw);
+                       (*c.body)(block* c.grain, std::min(c.size, (block + 1) * c.grain));
+                     },
+                     &context);
 }
 
 }  // namespace derham

@@ -1,0 +1,92 @@
+#include "derham/complex/incidence.hpp"
+
+#include "derham/core/error.hpp"
+#include "derham/core/text.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace derham {
+namespace {
+
+/// Rows of the table become columns; rows of the result are increasing because they are filled in order.
+Incidence transposed(const Incidence& table, Index columns) {
+  Incidence result;
+  result.offsets.assign(static_cast<std::size_t>(columns) + 1, 0);
+  for (const Index j : table.indices) ++result.offsets[static_cast<std::size_t>(j) + 1];
+  std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
+  result.indices.resize(table.indices.size());
+  std::vector<Offset> next(result.offsets.begin(), result.offsets.end() - 1);
+  for (Index i = 0; i < table.rows(); ++i)
+    for (const Index j : table[i]) result.indices[static_cast<std::size_t>(next[static_cast<std::size_t>(j)]++)] = i;
+  return result;
+}
+
+/// The C(k+1, m+1) faces of dimension m of every k-simplex: faces of faces, each once.
+template <int n>
+Incidence downward(const SimplicialComplex<n>& K, int k, int m) {
+  const auto width = static_cast<std::size_t>(binomial(k + 1, m + 1));
+  Incidence result;
+  result.offsets.resize(static_cast<std::size_t>(K.size(k)) + 1);
+  for (std::size_t i = 0; i < result.offsets.size(); ++i) result.offsets[i] = static_cast<Offset>(i * width);
+  result.indices.reserve(static_cast<std::size_t>(K.size(k)) * width);
+  std::vector<Index> current, next;
+  for (Index i = 0; i < K.size(k); ++i) {
+    current.assign(1, i);
+    for (int degree = k; degree > m; --degree) {
+      next.clear();
+      for (const Index s : current) {
+        const auto faces = K.faces(degree, s);
+        next.insert(next.end(), faces.begin(), faces.end());
+      }
+      std::ranges::sort(next);
+      next.erase(std::unique(next.begin(), next.end()), next.end());
+      current.swap(next);
+    }
+    result.indices.insert(result.indices.end(), current.begin(), current.end());
+  }
+  return result;
+}
+
+}  // namespace
+
+template <int n>
+Incidence incidence(const SimplicialComplex<n>& K, int k, int m) {
+  if (k < 0 || k > n || m < 0 || m > n)
+    throw InputError(text("incidence(", k, ", ", m, ") in a complex of dimension ", n, "; degrees are 0 to ", n));
+  return k >= m ? downward(K, k, m) : transposed(downward(K, m, k), K.size(k));
+}
+
+template <int n>
+FacetCofaces facet_cofaces(const SimplicialComplex<n>& K) {
+  FacetCofaces dual;
+  if constexpr (n >= 1) {
+    const auto facets = static_cast<std::size_t>(K.size(n - 1));
+    dual.first.assign(facets, -1);
+    dual.second.assign(facets, -1);
+    dual.count.assign(facets, 0);
+    for (Index t = 0; t < K.size(n); ++t) {
+      for (const Index facet : K.faces(n, t)) {
+        const auto f = static_cast<std::size_t>(facet);
+        if (dual.count[f] == 0) dual.first[f] = t;
+        if (dual.count[f] == 1) dual.second[f] = t;
+        ++dual.count[f];
+      }
+    }
+  }
+  return dual;
+}
+
+#define DERHAM_INSTANTIATE(n)                                          \
+  template Incidence incidence(const SimplicialComplex<n>&, int, int); \
+  template FacetCofaces facet_cofaces(const SimplicialComplex<n>&);
+DERHAM_INSTANTIATE(0)
+DERHAM_INSTANTIATE(1)
+DERHAM_INSTANTIATE(2)
+DERHAM_INSTANTIATE(3)
+DERHAM_INSTANTIATE(4)
+DERHAM_INSTANTIATE(5)
+DERHAM_INSTANTIATE(6)
+#undef DERHAM_INSTANTIATE
+
+}  // namespace derham

@@ -1,0 +1,142 @@
+#include "derham/complex/simplicial_complex.hpp"
+
+#include "derham/complex/construction.hpp"
+#include "derham/complex/validation.hpp"
+#include "derham/core/error.hpp"
+#include "derham/core/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace derham {
+namespace {
+
+/// The quick look at every row: whether all ids are in range, distinct within their row, and used.
+bool looks_sound(const SimplexList& rows, Index vertex_count) {
+  std::vector<char> used(static_cast<std::size_t>(vertex_count), 0);
+  for (Offset row = 0; row < rows.size(); ++row) {
+    const auto tuple = rows[row];
+    for (std::size_t i = 0; i < tuple.size(); ++i) {
+      if (tuple[i] < 0 || tuple[i] >= vertex_count) return false;
+      used[static_cast<std::size_t>(tuple[i])] = 1;
+      for (std::size_t j = 0; j < i; ++j)
+        if (tuple[i] == tuple[j]) return false;
+    }
+  }
+  return std::ranges::find(used, char{0}) == used.end();
+}
+
+}  // namespace
+
+template <int n>
+SimplicialComplex<n>::SimplicialComplex() {
+  for (auto& bucket : buckets_) bucket.assign(1, 0);
+}
+
+template <int n>
+SimplicialComplex<n>::SimplicialComplex(const SimplexList& rows, Index vertex_count) : SimplicialComplex() {
+  if (rows.empty() && vertex_count <= 0) return;
+  if (rows.dimension() != n)
+    throw InputError(text("the largest simplex of the input has dimension ", rows.dimension(),
+                          ", but the complex has dimension ", n, "; give at least one row of ", n + 1,
+                          " vertices and none longer"));
+  if (rows.size() > std::numeric_limits<Index>::max())
+    throw LimitError(text(rows.size(), " rows do not fit the index type; build derham with DERHAM_INDEX64=ON"));
+  const Index vertices = vertex_count < 0 ? rows.vertex_bound() : vertex_count;
+  // More vertices than ids: some vertex is unused, found without allocating by the largest id.
+  if (static_cast<std::size_t>(vertices) > rows.vertices().size() || !looks_sound(rows, vertices))
+    require_valid_input(check_input(rows, vertex_count), rows, vertex_count);
+  if (rows.is_uniform())
+    ComplexBuilder<n>::build_pure(*this, rows, vertices);
+  else
+    ComplexBuilder<n>::build_mixed(*this, rows, vertices);
+  ComplexBuilder<n>::orient(*this, rows);
+}
+
+template <int n>
+SignedIndex SimplicialComplex<n>::find(std::span<const Index> alias) const noexcept {
+  const int k = static_cast<int>(alias.size()) - 1;
+  if (k < 0 || k > n) return {};
+  std::array<Index, n + 1> storage{};
+  const std::span<Index> tuple(storage.data(), alias.size());
+  std::ranges::copy(alias, tuple.begin());
+  const Sign permutation = sort_with_sign(tuple);
+  if (permutation == 0 || tuple.front() < 0 || tuple.back() >= size(0)) return {};
+  if (k == 0) return {tuple[0], 1};
+  const auto& bucket = buckets_[static_cast<std::size_t>(k)];
+  const auto v = static_cast<std::size_t>(tuple[0]);
+  const Index index =
+      find_in_bucket(simplices(k), k == n ? std::span<const Index>(top_order_) : std::span<const Index>(), bucket[v],
+                     bucket[v + 1], tuple);
+  if (index < 0) return {};
+  return {index, static_cast<Sign>(permutation * sign(k, index))};
+}
+
+template <int n>
+SignedIndex SimplicialComplex<n>::at(std::span<const Index> alias) const {
+  const SignedIndex found = find(alias);
+  if (!found) throw InputError(text(tuple_text(alias), " is not a simplex of the complex"));
+  return found;
+}
+
+template <int n>
+void SimplicialComplex<n>::orient_by(std::span<const double> weight) {
+  if (weight.size() != static_cast<std::size_t>(size(n)))
+    throw InputError(text("there are ", weight.size(), " weights for ", size(n), " top simplices"));
+  if (!orientation_.orientable || n == 0) return;
+  const auto components = static_cast<std::size_t>(orientation_.components);
+  std::vector<double> sum(components, 0), magnitude(components, 0);
+  const auto component = [&](std::size_t t) {
+    return orientation_.component.empty() ? std::size_t{0} : static_cast<std::size_t>(orientation_.component[t]);
+  };
+  for (std::size_t t = 0; t < weight.size(); ++t) {
+    sum[component(t)] += orientation_.sign[t] * weight[t];
+    magnitude[component(t)] += std::abs(weight[t]);
+  }
+  for (std::size_t t = 0; t < weight.size(); ++t) {
+    const std::size_t c = component(t);
+    if (sum[c] < -1e-10 * magnitude[c]) orientation_.sign[t] = static_cast<Sign>(-orientation_.sign[t]);
+  }
+}
+
+template <int n>
+Index SimplicialComplex<n>::component_count() const {
+  std::vector<Index> parent(static_cast<std::size_t>(size(0)));
+  std::iota(parent.begin(), parent.end(), Index{0});
+  const auto root = [&](Index v) {
+    while (parent[static_cast<std::size_t>(v)] != v) {
+      auto& up = parent[static_cast<std::size_t>(v)];
+      up = parent[static_cast<std::size_t>(up)];
+      v = up;
+    }
+    return v;
+  };
+  Index count = size(0);
+  for (Index e = 0; e < size(1); ++e) {
+    const auto edge = simplex(1, e);
+    const Index a = root(edge[0]), b = root(edge[1]);
+    if (a == b) continue;
+    parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    --count;
+  }
+  return count;
+}
+
+template <int n>
+Offset SimplicialComplex<n>::euler_characteristic() const noexcept {
+  Offset chi = 0;
+  for (int k = 0; k <= n; ++k) chi += face_sign(k) * static_cast<Offset>(size(k));
+  return chi;
+}
+
+template class SimplicialComplex<0>;
+template class SimplicialComplex<1>;
+template class SimplicialComplex<2>;
+template class SimplicialComplex<3>;
+template class SimplicialComplex<4>;
+template class SimplicialComplex<5>;
+template class SimplicialComplex<6>;
+
+}  // namespace derham
