@@ -54,8 +54,8 @@ class FileError : public Error {
   enum class Action : std::uint8_t { read, write };
   /// `line` is 1-based, 0 when no line applies (binary data, a file that cannot be opened).
   FileError(Action action, std::string path, std::int64_t line, const std::string& message)
-      : Error(path + (line > 0 ? ":" + std::to_string(line) : std::string()) + ": " + message), action_(action),
-        path_(std::move(path)), line_(line) {}
+      : Error(path + (line > 0 ? std::string(":").append(std::to_string(line)) : std::string()) + ": " + message),
+        action_(action), path_(std::move(path)), line_(line) {}
   [[nodiscard]] const char* kind() const noexcept override { return action_ == Action::read ? "read" : "write"; }
   [[nodiscard]] Action action() const noexcept { return action_; }
   [[nodiscard]] const std::string& path() const noexcept { return path_; }

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "derham/geometry/mesh_data.hpp"
+#include "derham/io/mesh_format.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace derham {
+
+/// The mesh in a file; `path` "-" is standard input. Without `format` it is detected (see `detect_format`).
+///
+/// tetgen   `path` is NAME.node or NAME.ele, the other is found beside it. Nodes are numbered from 0 or 1, as the first
+///          one says. Triangles (m = 2 or 3) or tetrahedra (m = 3); attributes and markers are checked and dropped. On
+///          standard input the .ele file follows the .node file.
+/// gmsh     .msh 2.2 ASCII, m = 3 also for planar meshes. Points, lines, triangles and tetrahedra.
+/// off      m = 3; faces of 1 to 3 vertices, with or without colours.
+/// obj      m = 3; p, l and f lines; texture coordinates, normals, groups and materials are skipped.
+/// facets   m = 0 (abstract): one simplex of 1 to 7 vertex ids per line, dimensions may be mixed.
+///
+/// The simplices of the highest dimension in the file are the rows, in the file's order (facets: every line is a row);
+/// `ignored_lower` counts the others. `vertex_tags` and `row_tags` hold the file's numbers where they are not 0, 1, 2….
+/// Vertex ids are positions in the file and lie in [0, vertex_count); whether rows repeat or vertices are unused is not
+/// checked here.
+/// Throws   FileError (file, line, what was found, what was expected) for everything else that is wrong, among it wrong
+///          counts, truncation, positions that are not finite, polygons and elements that are no simplices;
+///          LimitError if the mesh overflows the index type or the file half of the memory
+[[nodiscard]] MeshData read_mesh(const std::string& path, std::optional<MeshFormat> format = {});
+
+/// As `read_mesh`, from bytes in memory; `name` stands for the file in messages. For tetgen the bytes of the .ele file
+/// follow those of the .node file.
+[[nodiscard]] MeshData read_mesh_from_memory(std::string_view bytes, MeshFormat format, const std::string& name);
+
+}  // namespace derham

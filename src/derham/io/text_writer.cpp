@@ -1,0 +1,23 @@
+#include "derham/io/text_writer.hpp"
+
+#include <algorithm>
+
+namespace derham {
+
+TextWriter& TextWriter::put(std::string_view bytes) {
+  if (used_ + bytes.size() > capacity) flush();
+  if (bytes.size() > capacity) {
+    file_.write(bytes);
+    return *this;
+  }
+  std::ranges::copy(bytes, &buffer_[used_]);
+  used_ += bytes.size();
+  return *this;
+}
+
+void TextWriter::flush() {
+  file_.write({buffer_.get(), used_});
+  used_ = 0;
+}
+
+}  // namespace derham

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "derham/geometry/mesh_data.hpp"
+#include "derham/io/mesh_format.hpp"
+
+#include <string>
+
+namespace derham {
+
+/// Writes `mesh` to `path` ("-": standard output) in the given format. Files appear complete or not at all
+/// (AtomicFile); doubles are written so that they read back to the same bits. Vertices and rows are numbered afresh in
+/// their order.
+///
+/// tetgen   both NAME.node and NAME.ele, whichever `path` names; triangles with m = 2 or 3, tetrahedra with m = 3
+/// gmsh     dimension n <= 3; m <= 3, padded with zeros to 3, as in
+/// off, obj n <= 2
+/// vtu      n <= 3; also periodic meshes, one point per corner
+/// facets   everything, positions are dropped
+/// Throws   InputError if the format cannot hold the mesh or the mesh is unsound (ids outside [0, vertex_count), wrong
+///          number of positions); FileError if the file cannot be written
+void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format);
+
+/// As above, in the format that the extension of `path` names. Throws InputError if it names none.
+void write_mesh(const std::string& path, const MeshData& mesh);
+
+}  // namespace derham
