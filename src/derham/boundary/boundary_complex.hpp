@@ -19,8 +19,10 @@ struct BoundaryComplex {
 };
 
 /// The closure of the facets with exactly one coface, oriented as the boundary of K; the empty complex if there is
-/// none. Law      the image of its fundamental chain is the boundary of the fundamental chain of K (n >= 2, K
-/// orientable) Cost     linear Throws   TopologyError if K is not pure
+/// none.
+/// Law      the image of its fundamental chain is the boundary of the fundamental chain of K (n >= 2, K orientable)
+/// Cost     linear
+/// Throws   TopologyError if K is not pure
 template <int n>
   requires(n >= 1)
 [[nodiscard]] BoundaryComplex<n> boundary_complex(const SimplicialComplex<n>& K);

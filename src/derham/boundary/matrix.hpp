@@ -20,9 +20,11 @@ struct SignMatrix {
 };
 
 /// ∂_k in compressed rows: from each k-simplex to its faces, entry S(representative)(-1)^i for the face omitting vertex
-/// i. Shape    |K_{k-1}| × |K_k|, k+1 entries a column; 0 × |K_0| for k = 0 Law      ∂_{k-1} ∂_k = 0 exactly Throws
-/// InputError unless 0 <= k <= n Source   Elcott & Schröder, "Building your own DEC at home", §4; S(representative) is
-/// -1 for some top simplices
+/// i.
+/// Shape    |K_{k-1}| × |K_k|, k+1 entries a column; 0 × |K_0| for k = 0
+/// Law      ∂_{k-1} ∂_k = 0 exactly
+/// Throws   InputError unless 0 <= k <= n
+/// Source   Elcott & Schröder, "Building your own DEC at home", §4; S(representative) is -1 for some top simplices
 template <int n>
 [[nodiscard]] SignMatrix boundary_matrix(const SimplicialComplex<n>& K, int k);
 

@@ -8,7 +8,8 @@ namespace derham {
 
 /// The exterior derivative of a primal k-form: (dw)(s) = w(∂s), so that Stokes' theorem holds exactly.
 ///
-/// Maps     primal k-form -> primal (k+1)-form     Matrix   d_k, see coboundary_matrix
+/// Maps     primal k-form -> primal (k+1)-form
+/// Matrix   d_k, see coboundary_matrix
 /// Law      d(d(w)) = 0
 /// Source   Elcott & Schröder, "Building your own DEC at home", §6.1
 template <int n, int k>
@@ -23,15 +24,14 @@ template <int n, int k>
 /// of the dual cell of a p-simplex is (-1)^(p+1) times the signed sum of the dual cells of its cofaces, hence d =
 /// (-1)^(p+1) ∂_{p+1} with p = n-j-1.
 ///
-/// Maps     dual j-form -> dual (j+1)-form         Matrix   (-1)^(n-j) ∂_{n-j}
+/// Maps     dual j-form -> dual (j+1)-form
+/// Matrix   (-1)^(n-j) ∂_{n-j}
 /// Law      d(d(w)) = 0
-/// Not valid at the boundary unless the form vanishes there (homogeneous natural data): dual cells are open at ∂K, and
-/// the
-///          part of their boundary inside ∂K is not represented.
+/// Valid    not at the boundary unless the form vanishes there (homogeneous natural data): dual cells are open at ∂K,
+///          and the part of their boundary inside ∂K is not represented
 /// Throws   TopologyError if K is not orientable
 /// Source   Desbrun, Kanso, Tong, "Discrete differential forms for computational modeling", 2008, §6; sign derived
-/// there and
-///          in Hirani 2003, §3.6
+///          there and in Hirani 2003, §3.6
 template <int n, int j>
   requires(j < n)
 [[nodiscard]] Form<n, j + 1, Side::dual> d(const Form<n, j, Side::dual>& w) {

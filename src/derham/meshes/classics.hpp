@@ -26,7 +26,8 @@ namespace derham::meshes {
 /// Source   Kühnel & Banchoff, "The 9-vertex complex projective plane", 1983
 [[nodiscard]] SimplexList complex_projective_plane();
 /// The lens space L(p, q), p >= 1: the barycentric subdivision of the join of two 3p-gons modulo the rotation by 3 and
-/// 3q steps; H_1 = Z_p. L(3, 1) has f = (120, 768, 1296, 648). Throws   InputError unless p >= 1 and gcd(p, q) = 1
+/// 3q steps; H_1 = Z_p. L(3, 1) has f = (120, 768, 1296, 648).
+/// Throws   InputError unless p >= 1 and gcd(p, q) = 1
 [[nodiscard]] SimplexList lens_space(int p, int q);
 /// T^n as a periodic box of cells^n cubes, n = 1 to 6, cells >= 3. T^3: f = (27, 189, 324, 162).
 [[nodiscard]] SimplexList grid_torus(int n, Index cells = 3);

@@ -34,8 +34,8 @@ namespace derham::meshes {
 
 /// A vertex for every simplex, a simplex for every flag: each n-simplex is cut into (n+1)!. The vertices of A keep
 /// their ids, then come the edges in the order of the complex, the triangles, … Rows of one input row stay together, in
-/// order. Throws   InputError also if the rows have different dimensions or are no simplicial complex (see
-/// SimplicialComplex)
+/// order.
+/// Throws   InputError also if the rows have different dimensions or are no simplicial complex (see SimplicialComplex)
 [[nodiscard]] SimplexList barycentric_subdivision(const SimplexList& A);
 /// Points and corners of the new vertices are the means of those of their simplices.
 [[nodiscard]] MeshData barycentric_subdivision(const MeshData& A);

@@ -15,7 +15,8 @@ namespace derham::meshes {
 /// The solid torus of revolution about the z axis: disks of 6 rings^2 triangles at `segments` angles, the prisms
 /// between cut into three: 18 rings^2 segments positively oriented tetrahedra, (3 rings^2 + 3 rings + 1) segments
 /// vertices. Edges are about equally long when segments ≈ 2π rings major / minor (rings = 6, segments = 94: 60,912
-/// tetrahedra). Throws   InputError if rings < 1, segments < 3 or not 0 < minor < major; LimitError
+/// tetrahedra).
+/// Throws   InputError if rings < 1, segments < 3 or not 0 < minor < major; LimitError
 [[nodiscard]] MeshData solid_torus(Index rings, Index segments, double major = 1, double minor = 0.4);
 
 }  // namespace derham::meshes
