@@ -64,6 +64,7 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), target_(path_
     descriptor_ = STDOUT_FILENO;
     return;
   }
+  if (path_.empty()) fail("cannot write to an empty file name", ENOENT);
   struct stat status {};
   const bool exists = ::stat(path_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) fail("cannot write", EISDIR);

@@ -9,7 +9,7 @@
 
 namespace derham {
 
-std::string quoted(std::string_view bytes) {
+std::string quoted_token(std::string_view bytes) {
   constexpr std::size_t longest = 40;
   constexpr const char* digits = "0123456789abcdef";
   std::string out = "'";
@@ -74,7 +74,7 @@ void Cursor::fail(const std::string& message) const {
 
 void Cursor::fail_token(const char* expected, const char* what) const {
   const auto found = token();
-  const std::string description = !found.empty() ? quoted(found)
+  const std::string description = !found.empty() ? quoted_token(found)
                                   : at_ == end_  ? "the end of the file"
                                                  : "the end of the line";
   fail(text("found ", description, ", expected ", expected, what ? " as " : "", what ? what : ""));

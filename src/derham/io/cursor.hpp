@@ -131,6 +131,6 @@ class Cursor {
 };
 
 /// `bytes` in single quotes, at most 40 of them, everything but printable ASCII as \xNN: safe to print anywhere.
-[[nodiscard]] std::string quoted(std::string_view bytes);
+[[nodiscard]] std::string quoted_token(std::string_view bytes);
 
 }  // namespace derham

@@ -72,7 +72,7 @@ void read_header(Cursor& file) {
   const auto version = file.word("the version of the format");
   const auto type = file.integer("the file type", 0, 1);
   if (version != "2.2")
-    file.fail(text("this is Gmsh format ", quoted(version), type == 1 ? " binary" : "",
+    file.fail(text("this is Gmsh format ", quoted_token(version), type == 1 ? " binary" : "",
                    "; expected 2.2 ASCII: convert it with gmsh -save -format msh22"));
   if (type == 1) file.fail("this is Gmsh format 2.2 binary; expected ASCII: convert it with gmsh -save -format msh22");
   (void)file.integer("the size of a real number", 4, 16);
@@ -179,10 +179,10 @@ MeshData read_gmsh(Cursor& file) {
       file.fail(message);
     };
     if (section.size() < 2 || section[0] != '$' || section.starts_with("$End"))
-      refuse(text("found ", quoted(section), ", expected the start of a section such as $Nodes"));
+      refuse(text("found ", quoted_token(section), ", expected the start of a section such as $Nodes"));
     file.end_line();
     if (!has_header && section != "$MeshFormat" && section != "$Comments")
-      refuse(text("found ", quoted(section), ", expected $MeshFormat: the file is not in Gmsh format 2.2"));
+      refuse(text("found ", quoted_token(section), ", expected $MeshFormat: the file is not in Gmsh format 2.2"));
 
     const std::string end = "$End" + std::string(section.substr(1));
     if (section == "$MeshFormat") {
@@ -196,7 +196,7 @@ MeshData read_gmsh(Cursor& file) {
       if (std::exchange(has_elements, true)) refuse("a second section $Elements");
       read_elements(file, *nodes, rows);
     } else if (!file.skip_past_line(end)) {
-      refuse(text("the section ", quoted(section), " is not closed by ", quoted(end)));
+      refuse(text("the section ", quoted_token(section), " is not closed by ", quoted_token(end)));
     } else {
       continue;
     }

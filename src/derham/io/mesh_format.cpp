@@ -66,7 +66,7 @@ MeshFormat detect_format(const std::string& path, std::string_view bytes) {
     return MeshFormat::facets;
   throw FileError(FileError::Action::read, path, 0,
                   text("not a mesh format that derham reads: ",
-                       first.empty() ? "the file has no content" : "it begins with " + quoted(first),
+                       first.empty() ? "the file has no content" : "it begins with " + quoted_token(first),
                        "; expected TetGen .node/.ele, Gmsh .msh 2.2, .off, .obj or .facets"));
 }
 

@@ -13,7 +13,7 @@ MeshData read_off(Cursor& file) {
   if (const auto header = file.word("the header OFF"); header != "OFF") {
     file.rewind(start);
     if (header.ends_with("OFF"))
-      file.fail(text("this is ", quoted(header),
+      file.fail(text("this is ", quoted_token(header),
                      ", a variant of OFF; expected plain OFF: vertices of 3 coordinates without colours or normals"));
     file.fail_token("the header OFF", nullptr);
   }

@@ -1,0 +1,41 @@
+// Any bytes are a sound mesh or an error of ours; and a mesh that was read survives being freed of unused vertices.
+#include "derham/core/error.hpp"
+#include "derham/io/read_mesh.hpp"
+#include "derham/io/unused_vertices.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+namespace {
+
+void demand(bool holds) {
+  if (!holds) std::abort();
+}
+
+void demand_sound(const derham::MeshData& mesh) {
+  const auto vertices = static_cast<std::size_t>(mesh.vertex_count);
+  demand(mesh.points.empty() || mesh.points.size() == vertices * static_cast<std::size_t>(mesh.ambient_dimension));
+  demand(mesh.vertex_tags.empty() || mesh.vertex_tags.size() == vertices);
+  demand(mesh.row_tags.empty() || static_cast<derham::Offset>(mesh.row_tags.size()) == mesh.simplices.size());
+  for (const derham::Index v : mesh.simplices.vertices()) demand(v >= 0 && v < mesh.vertex_count);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  constexpr auto format = derham::MeshFormat::DERHAM_FUZZ_FORMAT;
+  try {
+    (void)derham::detect_format("fuzz.node", bytes);
+    auto mesh = derham::read_mesh_from_memory(bytes, format, "fuzz");
+    demand_sound(mesh);
+    const bool has_unused = derham::first_unused_vertex(mesh) >= 0;
+    demand((derham::drop_unused_vertices(mesh) > 0) == has_unused);
+    demand(derham::first_unused_vertex(mesh) < 0);
+    demand_sound(mesh);
+  } catch (const derham::Error&) {
+  }
+  return 0;
+}

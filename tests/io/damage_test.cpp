@@ -1,0 +1,149 @@
+// Whatever happens to a file: it is read, or refused with an error of ours. The seeds are fixed, so a failure repeats.
+#include "io/io_fixture.hpp"
+#include "io/sample_files.hpp"
+
+#include <random>
+#include <string>
+#include <vector>
+
+namespace derham::io_test {
+namespace {
+
+class Damage : public ::testing::TestWithParam<SampleFile> {};
+
+// Reads, and expects of a success that it is a sound MeshData.
+bool is_read(std::string_view bytes, MeshFormat format) {
+  try {
+    const auto mesh = read_mesh_from_memory(bytes, format, "damaged");
+    EXPECT_LE(mesh.simplices.vertex_bound(), mesh.vertex_count);
+    EXPECT_EQ(mesh.points.size(), static_cast<std::size_t>(mesh.vertex_count) *
+                                      static_cast<std::size_t>(mesh.ambient_dimension) *
+                                      (format == MeshFormat::facets ? 0U : 1U));
+    for (const Index v : mesh.simplices.vertices()) EXPECT_GE(v, 0);
+    EXPECT_TRUE(mesh.vertex_tags.empty() || static_cast<Index>(mesh.vertex_tags.size()) == mesh.vertex_count);
+    EXPECT_TRUE(mesh.row_tags.empty() || static_cast<Offset>(mesh.row_tags.size()) == mesh.simplices.size());
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+TEST_P(Damage, LineEndsAndByteOrderMarkMakeNoDifference) {
+  const auto [format, bytes] = GetParam();
+  const auto plain = read_mesh_from_memory(bytes, format, "plain");
+  std::string variant = "\xef\xbb\xbf";
+  for (const char c : bytes) variant += c == '\n' ? std::string(" \t\r\n") : std::string(1, c == ' ' ? '\t' : c);
+  while (variant.back() == '\n' || variant.back() == '\r' || variant.back() == '\t' || variant.back() == ' ')
+    variant.pop_back();
+  const auto changed = read_mesh_from_memory(variant, format, "variant");
+  EXPECT_EQ(changed.simplices, plain.simplices);
+  EXPECT_EQ(changed.points, plain.points);
+  EXPECT_EQ(changed.vertex_tags, plain.vertex_tags);
+  EXPECT_EQ(changed.row_tags, plain.row_tags);
+  EXPECT_EQ(changed.ignored_lower, plain.ignored_lower);
+}
+
+TEST_P(Damage, TruncationAtEveryByte) {
+  const auto [format, bytes] = GetParam();
+  const bool has_counts = format != MeshFormat::obj && format != MeshFormat::facets;
+  // With counts, a cut is seen as soon as it takes more than comments, blanks or the end of the last token.
+  const auto last_record =
+      bytes.find_last_not_of("\n", bytes.rfind('#') == std::string_view::npos ? bytes.size() : bytes.rfind('#') - 1);
+  const auto last_token = bytes.find_last_of(" \n", last_record);
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    const bool read = is_read(bytes.substr(0, length), format);
+    if (has_counts && length <= last_token) {
+      EXPECT_FALSE(read) << "cut to " << length << " bytes";
+    }
+  }
+}
+
+TEST_P(Damage, EveryByteReplaced) {
+  const auto [format, bytes] = GetParam();
+  for (std::size_t at = 0; at < bytes.size(); ++at)
+    for (const char c : {'\0', '\xff', '-', '9', ' ', '\n', '#', 'x', '.', '$'}) {
+      std::string damaged(bytes);
+      damaged[at] = c;
+      (void)is_read(damaged, format);
+    }
+}
+
+TEST_P(Damage, TwoThousandMutations) {
+  const auto [format, bytes] = GetParam();
+  std::mt19937 random(20261 + static_cast<unsigned>(format));
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  const std::vector<std::string> words{"-1",
+                                       "0",
+                                       "1e400",
+                                       "nan",
+                                       "inf",
+                                       "2147483647",
+                                       "2147483648",
+                                       "9223372036854775807",
+                                       "99999999999999999999",
+                                       "1e-320",
+                                       "$EndNodes",
+                                       "$Elements",
+                                       "OFF",
+                                       "f",
+                                       "v",
+                                       "#",
+                                       "\n",
+                                       "\r",
+                                       "\t",
+                                       "/",
+                                       "//",
+                                       std::string(300, '7'),
+                                       std::string(1, '\0')};
+  int read = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::string damaged(bytes);
+    for (std::size_t change = 0, changes = 1 + below(4); change < changes && !damaged.empty(); ++change) {
+      const auto at = below(damaged.size());
+      const auto length = 1 + below(8);
+      switch (below(6)) {
+        case 0:
+          damaged[at] = static_cast<char>(random() & 255);
+          break;
+        case 1:
+          damaged.erase(at, length);
+          break;
+        case 2:
+          damaged.insert(at, damaged.substr(below(damaged.size()), length));
+          break;
+        case 3:
+          damaged.insert(at, words[below(words.size())]);
+          break;
+        case 4:
+          damaged.replace(at, length, words[below(words.size())]);
+          break;
+        default:
+          damaged.resize(at);
+          break;
+      }
+    }
+    read += is_read(damaged, format);
+  }
+  // Neither everything nor nothing gets through, or the mutations would test nothing.
+  EXPECT_GT(read, 0);
+  EXPECT_LT(read, 2000);
+}
+
+TEST_P(Damage, HugeCountsReserveNothing) {
+  const auto [format, bytes] = GetParam();
+  // Every number of the file in turn is made huge: refused, or a harmless number.
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    if (bytes[at] < '0' || bytes[at] > '9' || (at > 0 && bytes[at - 1] != ' ' && bytes[at - 1] != '\n')) continue;
+    for (const auto* huge : {"2147483646", "4294967297", "1152921504606846976", "9223372036854775807"}) {
+      std::string damaged(bytes);
+      damaged.replace(at, 1, huge);
+      (void)is_read(damaged, format);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, Damage, ::testing::ValuesIn(sample_files),
+                         [](const auto& test) { return std::string(format_name(test.param.format)); });
+
+}  // namespace
+}  // namespace derham::io_test

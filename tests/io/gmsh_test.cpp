@@ -1,0 +1,115 @@
+#include "io/io_fixture.hpp"
+#include "io/sample_files.hpp"
+
+#include <string>
+#include <vector>
+
+namespace derham::io_test {
+namespace {
+
+MeshData read(std::string_view bytes) { return read_mesh_from_memory(bytes, MeshFormat::gmsh, "mesh"); }
+void refused(std::string_view bytes, std::int64_t line, const std::string& part) {
+  expect_refused(bytes, MeshFormat::gmsh, line, part);
+}
+
+const std::string header = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+const std::string nodes = "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n";
+const std::string elements = "$Elements\n1\n1 2 0 1 2 3\n$EndElements\n";
+
+TEST(Gmsh, KeepsTheHighestDimensionAndTheTags) {
+  const auto mesh = read(gmsh_sample);
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2, 3}, {1, 2, 3, 4}}));
+  EXPECT_EQ(mesh.vertex_tags, (std::vector<std::int64_t>{10, 12, 11, 40, 41}));
+  EXPECT_EQ(mesh.row_tags, (std::vector<std::int64_t>{5, 9}));
+  EXPECT_EQ(mesh.ignored_lower, 2);
+  EXPECT_EQ(mesh.ambient_dimension, 3);
+  EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}));
+}
+
+TEST(Gmsh, KeepsTheHighestDimensionInAnyOrder) {
+  const auto mesh = read(header + nodes + "$Elements\n3\n1 1 0 1 2\n2 2 0 1 2 3\n3 1 0 2 3\n$EndElements\n");
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2}}));
+  EXPECT_EQ(mesh.ignored_lower, 2);
+}
+
+TEST(Gmsh, NodeNumbersMayHaveGapsOfAnySizeAndAnyOrder) {
+  for (const auto* middle : {"2", "9", "9000000000000000000"}) {
+    const auto number = std::string(middle);
+    const auto mesh = read(header + "$Nodes\n3\n3 0 0 0\n" + number + " 1 0 0\n1 0 1 0\n$EndNodes\n" +
+                           "$Elements\n1\n1 2 0 1 " + number + " 3\n$EndElements\n");
+    EXPECT_EQ(mesh.simplices, (SimplexList{{2, 1, 0}})) << number;
+    EXPECT_EQ(mesh.vertex_tags[1], std::stoll(number));
+  }
+}
+
+TEST(Gmsh, ReadsPointsAndEmptyMeshes) {
+  EXPECT_EQ(read(header + nodes + "$Elements\n1\n1 15 0 2\n$EndElements\n").simplices, (SimplexList{{1}}));
+  EXPECT_TRUE(read(header + "$Nodes\n0\n$EndNodes\n$Elements\n0\n$EndElements\n").simplices.empty());
+}
+
+TEST(Gmsh, SkipsOtherSections) {
+  EXPECT_EQ(read("$Comments\n$Nodes of all sorts\n$EndComments\n" + header + "$Periodic\n0\n$EndPeriodic\n" + nodes +
+                 elements + "$NodeData\n1\n\"x\"\n$EndNodeData\n")
+                .simplices.size(),
+            1);
+}
+
+TEST(Gmsh, RefusesOtherVersions) {
+  refused("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", 2, "'4.1'; expected 2.2 ASCII");
+  refused("$MeshFormat\n4.1 1 8\n\x01\n$EndMeshFormat\n", 2, "'4.1' binary");
+  refused("$MeshFormat\n2.2 1 8\n", 2, "2.2 binary; expected ASCII");
+  refused("$MeshFormat\n2.2 2 8\n", 2, "the file type is 2");
+  refused("$NOD\n3\n", 1, "expected $MeshFormat");
+}
+
+TEST(Gmsh, RefusesElementsThatAreNoSimplicesByName) {
+  const auto with = [](const char* element) {
+    return header + nodes + "$Elements\n1\n" + element + "\n$EndElements\n";
+  };
+  refused(with("1 3 0 1 2 3 1"), 12, "a quadrangle");
+  refused(with("1 5 0 1 2 3 1 1 2 3 1"), 12, "a hexahedron");
+  refused(with("1 6 0 1 2 3 1 2 3"), 12, "a prism");
+  refused(with("1 7 0 1 2 3 1 2"), 12, "a pyramid");
+  refused(with("1 11 0 1 2 3 1 2 3 1 2 3 1"), 12, "higher order");
+  refused(with("1 99 0 1 2 3"), 12, "not known");
+}
+
+TEST(Gmsh, RefusesDamage) {
+  refused("", 0, "the file is empty");
+  refused("\n", 1, "no section $Nodes");
+  refused("$MeshFormat", 1, "the end of the file, expected the version");
+  refused("$MeshFormat\n2.2 0 8\n", 2, "expected $EndMeshFormat");
+  refused("$MeshFormat\n2.2 0 8 9\n$EndMeshFormat\n", 2, "the end of the line");
+  refused(header + header, 4, "a second section");
+  refused(header, 3, "no section $Nodes");
+  refused(header + nodes, 9, "no section $Elements");
+  refused(header + elements + nodes, 4, "before $Nodes");
+  refused(header + nodes + nodes + elements, 10, "a second section $Nodes");
+  refused(header + nodes + elements + elements, 14, "a second section $Elements");
+  refused(header + nodes + elements + "junk\n", 14, "'junk'");
+  refused(header + nodes + elements + "$Open\n1\n", 14, "is not closed");
+  refused(header + nodes + elements + "$EndElements\n", 14, "start of a section");
+  refused(header + "$Nodes 3\n", 4, "the end of the line");
+  refused(header + "$Nodes\n9223372036854775807\n1 0 0 0\n$EndNodes\n", 5, "cannot hold so many");
+  refused(header + "$Nodes\n2\n1 0 0 0\n$EndNodes\n", 7, "'$EndNodes', expected an integer");
+  refused(header + "$Nodes\n1\n1 0 0 0\n2 0 0 0\n$EndNodes\n", 7, "expected $EndNodes");
+  refused(header + "$Nodes\n2\n1 0 0 0\n1 0 0 0\n$EndNodes\n", 7, "node number 1 is given twice");
+  refused(header + "$Nodes\n3\n7 0 0 0\n99999999 0 0 0\n\n7 0 0 0\n$EndNodes\n", 9, "node number 7 is given twice");
+  refused(header + "$Nodes\n1\n0 0 0 0\n$EndNodes\n", 6, "a node number is 0");
+  refused(header + "$Nodes\n1\n1 0 inf 0\n$EndNodes\n", 6, "finite");
+  refused(header + "$Nodes\n1\n1 0 0\n$EndNodes\n", 6, "the end of the line");
+  refused(header + "$Nodes\n1\n1 0 0 0 0\n$EndNodes\n", 6, "the end of the line");
+  const auto with = [](const char* text) { return header + nodes + "$Elements\n" + text; };
+  refused(with("1\n1 2 0 1 2 4\n$EndElements\n"), 12, "node number 4 is not among");
+  refused(with("1\n1 1 0 1 0\n$EndElements\n"), 12, "node number 0 is not among");
+  refused(with("1\n1 1 0 1 -9223372036854775808\n$EndElements\n"), 12, "is not among");
+  refused(with("1\n1 2 5 1 2 3\n$EndElements\n"), 12, "a tag");
+  refused(with("1\n1 2 -1 1 2 3\n$EndElements\n"), 12, "the number of tags is -1");
+  refused(with("1\n1 2 9223372036854775807 1 2 3\n$EndElements\n"), 12, "the end of the line");
+  refused(with("2\n1 2 0 1 2 3\n$EndElements\n"), 13, "'$EndElements'");
+  refused(with("1\n1 2 0 1 2 3\n"), 12, "expected $EndElements");
+  refused(with("3\n1 2 0 1 2 3\n2 2 0 1 2 3\n"), 13, "after 2 of 3 elements");
+}
+
+}  // namespace
+}  // namespace derham::io_test

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "derham/core/error.hpp"
+#include "derham/io/read_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace derham::io_test {
+
+/// The error that reading `bytes` raises; its line 0 with an empty path when it raises none.
+inline FileError read_error(std::string_view bytes, MeshFormat format) {
+  try {
+    (void)read_mesh_from_memory(bytes, format, "mesh");
+  } catch (const FileError& error) {
+    return error;
+  }
+  ADD_FAILURE() << "this was read without an error:\n" << bytes;
+  return FileError(FileError::Action::read, "", 0, "no error");
+}
+
+/// Expects that reading `bytes` fails at `line` with a message that contains `part`.
+inline void expect_refused(std::string_view bytes, MeshFormat format, std::int64_t line, const std::string& part) {
+  const auto error = read_error(bytes, format);
+  EXPECT_EQ(error.line(), line) << error.what();
+  EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what() << "\nlacks: " << part;
+}
+
+/// A new directory that disappears with the object.
+class TemporaryDirectory {
+ public:
+  TemporaryDirectory() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "derham-io-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary directory");
+    path_ = pattern;
+  }
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+  ~TemporaryDirectory() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  [[nodiscard]] int file_count() const {
+    return static_cast<int>(std::distance(std::filesystem::directory_iterator(path_), {}));
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline void write_bytes(const std::string& path, std::string_view bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+inline std::string read_bytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace derham::io_test

@@ -1,0 +1,91 @@
+#include "io/io_fixture.hpp"
+#include "io/sample_files.hpp"
+
+#include <cstdlib>
+#include <string>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace derham::io_test {
+namespace {
+
+TEST(ReadMesh, SaysWhyAFileCannotBeOpened) {
+  const TemporaryDirectory directory;
+  const auto message = [](const std::string& path) {
+    try {
+      (void)read_mesh(path);
+    } catch (const FileError& error) {
+      EXPECT_EQ(error.path(), path);
+      EXPECT_EQ(error.line(), 0);
+      EXPECT_STREQ(error.kind(), "read");
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_NE(message(directory / "absent.off").find("No such file"), std::string::npos);
+  EXPECT_NE(message(directory / ".").find("directory"), std::string::npos);
+  write_bytes(directory / "empty.off", "");
+  EXPECT_NE(message(directory / "empty.off").find("empty"), std::string::npos);
+}
+
+TEST(ReadMesh, ReadsAPipe) {
+  const TemporaryDirectory directory;
+  const auto path = directory / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  // Longer than the first guess of the buffer, so that it must grow.
+  std::string bytes;
+  for (int i = 0; i < 30000; ++i) bytes += std::to_string(i) + " " + std::to_string(i + 1) + "\n";
+  std::thread writer([&] { write_bytes(path, bytes); });
+  const auto mesh = read_mesh(path);
+  writer.join();
+  EXPECT_EQ(mesh.simplices.size(), 30000);
+  EXPECT_EQ(mesh.vertex_count, 30001);
+}
+
+TEST(ReadMesh, ReadsStandardInput) {
+  const TemporaryDirectory directory;
+  write_bytes(directory / "mesh", tetgen_sample);
+  const int kept = dup(STDIN_FILENO);
+  const int file = open((directory / "mesh").c_str(), O_RDONLY);
+  ASSERT_GE(file, 0);
+  ASSERT_GE(dup2(file, STDIN_FILENO), 0);
+  EXPECT_EQ(read_mesh("-", MeshFormat::tetgen).simplices.size(), 2);
+  ASSERT_GE(lseek(STDIN_FILENO, 0, SEEK_SET), 0);
+  try {
+    (void)read_mesh("-", MeshFormat::gmsh);
+    ADD_FAILURE();
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.path(), "stdin");
+  }
+  dup2(kept, STDIN_FILENO);
+  close(kept);
+  close(file);
+}
+
+TEST(ReadMesh, ReadsMeshesOfOthers) {
+  const char* folder = std::getenv("DERHAM_SHARED_MESHES");
+  if (folder == nullptr) GTEST_SKIP() << "DERHAM_SHARED_MESHES is not set";
+  const auto expect = [&](const std::string& name, int n, int m, Index vertices, Offset rows, Offset lower) {
+    const auto mesh = read_mesh(std::string(folder) + "/" + name);
+    EXPECT_EQ(mesh.simplices.dimension(), n) << name;
+    EXPECT_EQ(mesh.ambient_dimension, m) << name;
+    EXPECT_EQ(mesh.vertex_count, vertices) << name;
+    EXPECT_EQ(mesh.simplices.size(), rows) << name;
+    EXPECT_EQ(mesh.ignored_lower, lower) << name;
+  };
+  expect("cavity2d.ele", 2, 2, 191, 336, 0);
+  expect("spot_tets.node", 3, 3, 36917, 173613, 0);
+  expect("torus_tet.node", 3, 3, 204, 592, 0);
+  expect("nested_cubes.msh", 3, 3, 138, 520, 240);
+  expect("sphere66.off", 2, 3, 66, 128, 0);
+  expect("three_holes.obj", 2, 3, 1987, 3982, 0);
+  expect("hourglass_ico.obj", 2, 3, 23, 40, 0);
+  EXPECT_THROW((void)read_mesh(std::string(folder) + "/moebius.obj"), FileError);
+  EXPECT_THROW((void)read_mesh(std::string(folder) + "/spot.ply"), FileError);
+}
+
+}  // namespace
+}  // namespace derham::io_test

@@ -1,0 +1,110 @@
+#include "derham/io/write_mesh.hpp"
+
+#include "io/io_fixture.hpp"
+#include "io/sample_files.hpp"
+
+#include <string>
+#include <vector>
+
+namespace derham::io_test {
+namespace {
+
+MeshData read(std::string_view bytes) { return read_mesh_from_memory(bytes, MeshFormat::tetgen, "mesh"); }
+void refused(std::string_view bytes, std::int64_t line, const std::string& part) {
+  expect_refused(bytes, MeshFormat::tetgen, line, part);
+}
+
+const std::string square = "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n";
+
+TEST(Tetgen, ReadsTetrahedraNumberedFromOne) {
+  const auto mesh = read(tetgen_sample);
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2, 3}, {1, 2, 3, 4}}));
+  EXPECT_EQ(mesh.ambient_dimension, 3);
+  EXPECT_EQ(mesh.vertex_count, 5);
+  EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}));
+  EXPECT_EQ(mesh.vertex_tags, (std::vector<std::int64_t>{1, 2, 3, 4, 5}));
+  EXPECT_EQ(mesh.row_tags, (std::vector<std::int64_t>{1, 2}));
+}
+
+TEST(Tetgen, ReadsPlanarTrianglesNumberedFromZero) {
+  const auto mesh = read(square + "2 3 0\n0 0 1 2\n1 0 2 3\n");
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(mesh.ambient_dimension, 2);
+  EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 1, 0, 1, 1, 0, 1}));
+  EXPECT_TRUE(mesh.vertex_tags.empty());
+  EXPECT_TRUE(mesh.row_tags.empty());
+}
+
+TEST(Tetgen, HeaderMayEndAfterTheDimension) {
+  EXPECT_EQ(read("3 2\n0 0 0\n1 1 0\n2 0 1\n1 3\n0 0 1 2\n").simplices.size(), 1);
+}
+
+TEST(Tetgen, ReadsTrianglesInSpace) {
+  const auto mesh = read("3 3\n0 0 0 0\n1 1 0 0\n2 0 1 1\n1 3 0\n0 0 1 2\n");
+  EXPECT_EQ(mesh.simplices.dimension(), 2);
+  EXPECT_EQ(mesh.ambient_dimension, 3);
+}
+
+TEST(Tetgen, RefusesDamage) {
+  refused("# nothing\n", 1, "the number of nodes");
+  refused("four 2 0 0\n", 1, "'four'");
+  refused("-1 2 0 0\n", 1, "the number of nodes is -1");
+  refused("9000000000000000000 3 0 0\n0 0 0 0\n", 1, "cannot hold so many");
+  refused("4 5 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n", 1, "the dimension is 5, expected 2 to 3");
+  refused("1 2 0 2\n0 0 0\n", 1, "boundary markers is 2");
+  refused("1 2 0 0 7\n0 0 0\n", 1, "'7', expected the end of the line");
+  refused("2 2 0 0\n0 0 0\n2 0 0\n0 3 0\n", 3, "the node number is 2, expected 1");
+  refused("2 2 0 0\n2 0 0\n3 0 0\n0 3 0\n", 2, "the node number is 2, expected 0 to 1");
+  refused("2 2 0 0\n0 0\n1 0 0\n0 3 0\n", 2, "the end of the line, expected a number");
+  refused("2 2 0 0\n0 0 0\n1 0 0 5\n0 3 0\n", 3, "'5', expected the end of the line");
+  refused("2 2 0 0\n0 0 0\n1 nan 0\n0 3 0\n", 3, "finite");
+  refused("2 2 0 0\n0 0 0\n1 1e999 0\n0 3 0\n", 3, "range of a double");
+  refused("2 2 1 0\n0 0 0 7\n1 0 0\n0 3 0\n", 3, "an attribute");
+  refused("2 2 0 1\n0 0 0 7\n1 0 0 x\n0 3 0\n", 3, "a boundary marker");
+  refused(square, 5, "the number of simplices");
+  refused(square + "1 6 0\n0 0 1 2 3 0 1\n", 6, "quadratic triangles");
+  refused("4 3\n0 0 0 0\n1 0 0 0\n2 0 0 0\n3 0 0 0\n1 10 0\n0 0 1 2 3 0 1 2 3 0 1\n", 6, "quadratic tetrahedra");
+  refused(square + "1 4 0\n0 0 1 2 3\n", 6, "4 nodes per simplex, expected 3 in dimension 2");
+  refused(square + "1 3 0\n0 0 1 4\n", 7, "a node number is 4, expected 0 to 3");
+  refused(square + "1 3 0\n0 0 1 -1\n", 7, "a node number is -1");
+  refused(square + "1 3 0\n0 0 1\n", 7, "the end of the line");
+  refused(square + "1 3 0\n0 0 1 2 3\n", 7, "the end of the line");
+  refused(square + "2 3 0\n0 0 1 2\n# end of it\n", 8, "the file ends after 1 of 2 simplices");
+  refused(square + "1 3 0\n0 0 1 2\n1 0 2 3\n", 8, "expected the end of the file");
+  refused(square + "2 3 0\n0 0 1 2\n2 0 2 3\n", 8, "the number of the simplex is 2, expected 1");
+}
+
+TEST(Tetgen, FindsTheOtherFileOfThePair) {
+  const TemporaryDirectory directory;
+  write_bytes(directory / "a.1.node", square);
+  write_bytes(directory / "a.1.ele", "2 3 0\n0 0 1 2\n1 0 2 3\n");
+  EXPECT_EQ(read_mesh(directory / "a.1.node").simplices, read_mesh(directory / "a.1.ele").simplices);
+  EXPECT_EQ(read_mesh(directory / "a.1.ele").simplices.size(), 2);
+  write_bytes(directory / "b.node", square);
+  write_bytes(directory / "c.node", square + "1 3 0\n");
+  write_bytes(directory / "c.ele", "1 3 0\n0 0 1 9\n");
+  try {
+    (void)read_mesh(directory / "b.node");
+    FAIL();
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.path(), directory / "b.ele");
+  }
+  try {
+    (void)read_mesh(directory / "c.ele");
+    FAIL();
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.path(), directory / "c.node");
+    EXPECT_EQ(error.line(), 6);
+  }
+  write_bytes(directory / "c.node", square);
+  try {
+    (void)read_mesh(directory / "c.node");
+    FAIL();
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.path(), directory / "c.ele");
+    EXPECT_EQ(error.line(), 2);
+  }
+}
+
+}  // namespace
+}  // namespace derham::io_test
