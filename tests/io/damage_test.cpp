@@ -129,6 +129,16 @@ TEST_P(Damage, TwoThousandMutations) {
   EXPECT_LT(read, 2000);
 }
 
+TEST_P(Damage, KeptCorpusOfTheFuzzers) {
+  const auto format = GetParam().format;
+  const std::string folder = std::string(DERHAM_FUZZ_CORPUS) + "/fuzz_" + format_name(format);
+  int read = 0, refused = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    (is_read(read_bytes(entry.path().string()), format) ? read : refused) += 1;
+  EXPECT_GT(read, 0);
+  EXPECT_GT(refused, 0);
+}
+
 TEST_P(Damage, HugeCountsReserveNothing) {
   const auto [format, bytes] = GetParam();
   // Every number of the file in turn is made huge: refused, or a harmless number.
