@@ -30,7 +30,7 @@ MeshData ball(int n, Index layers, double radius) {
     const std::span<const Index> point(z.data(), width);
     const bool inside = detail::steps_from_origin(point) <= layers;
     ids.push_back(inside ? mesh.vertex_count++ : -1);
-    if (inside) detail::append_shell_point(point, radius / layers, mesh.points);
+    if (inside) detail::append_shell_point(point, radius / static_cast<double>(layers), mesh.points);
   } while (at.advance());
 
   const detail::KuhnCutter cutter(n);

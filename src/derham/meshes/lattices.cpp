@@ -12,7 +12,8 @@ MeshData a_star_lattice(int n, Index cells, double scale) {
   detail::require_dimension(n, 1, max_dimension);
   detail::require_positive("the scale", scale);
   detail::require_at_least("the number of cells along an axis", cells, 3);
-  MeshData mesh = periodic_box(n, cells, {.lengths = std::vector<double>(static_cast<std::size_t>(n), cells)});
+  const std::vector<double> unit_cells(static_cast<std::size_t>(n), static_cast<double>(cells));
+  MeshData mesh = periodic_box(n, cells, {.lengths = unit_cells});
   const double share = (1 - 1 / std::sqrt(n + 1.0)) / n;
   for (auto z = mesh.corners.begin(); z != mesh.corners.end(); z += n) {
     const double sum = std::accumulate(z, z + n, 0.0);
