@@ -1,0 +1,223 @@
+#include "derham/geometry/geometry.hpp"
+
+#include "derham/core/error.hpp"
+#include "derham/core/text.hpp"
+#include "derham/geometry/local_faces.hpp"
+#include "derham/geometry/naming.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace derham {
+
+namespace {
+
+template <int n>
+void require_pure(const SimplicialComplex<n>& K) {
+  if (K.is_pure()) return;
+  const RowTarget lower = K.maximal_lower().front();
+  throw TopologyError(text("a metric needs a pure complex of dimension ", n, ", but ",
+                           simplex_text(K, lower.degree, lower.index), " is no face of a ", n,
+                           "-simplex; give simplices of one dimension"));
+}
+
+void require_shape(const char* what, std::size_t given, Offset rows, const char* row, Offset width) {
+  if (given != static_cast<std::size_t>(rows * width))
+    throw InputError(text(given, " ", what, "; expected ", rows, " ", row, " times ", width));
+}
+
+void require_dimension(int m, int n) {
+  if (m < n)
+    throw InputError(text("positions in dimension ", m, "; a complex of dimension ", n, " needs at least ", n));
+}
+
+// Squared length of the edge between corners a and b.
+double squared_distance(const double* a, const double* b, int d) {
+  double sum = 0;
+  for (int c = 0; c < d; ++c) sum += (a[c] - b[c]) * (a[c] - b[c]);
+  return sum;
+}
+
+// Every edge must have the same length in all top simplices.
+template <int n>
+void require_consistent(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
+  constexpr double tolerance = 1e-9;
+  std::vector<double> squares(static_cast<std::size_t>(K.size(1)), -1);
+  for (Index t = 0; t < K.size(n); ++t) {
+    const auto index = face_indices(K, t);
+    const auto corner = geometry.corners(K, t);
+    for (int a = 0; a <= n; ++a)
+      for (int b = a + 1; b <= n; ++b) {
+        const Index e = index[(1U << a) | (1U << b)];
+        double& known = squares[static_cast<std::size_t>(e)];
+        const double square = squared_distance(corner[a], corner[b], geometry.coordinate_dimension());
+        if (known < 0) {
+          known = square;
+        } else if (std::abs(square - known) > tolerance * std::max(square, known)) {
+          throw GeometryError(text("corner coordinates disagree on edge ", e, " = ", tuple_text(K.simplex(1, e)),
+                                   ": squared length ", known, " in one top simplex, ", square, " in ",
+                                   simplex_text(K, n, t), "; they must agree to ", tolerance, " relative"));
+        }
+      }
+  }
+}
+
+}  // namespace
+
+template <int n>
+Geometry<n>::Geometry(const SimplicialComplex<n>& K, MetricSource source, int width, std::vector<double> coordinates)
+    : source_(source), width_(width), vertices_(K.size(0)), tops_(K.size(n)), coordinates_(std::move(coordinates)) {
+  if (source_ != MetricSource::points) find_carriers(K);
+}
+
+template <int n>
+void Geometry<n>::find_carriers(const SimplicialComplex<n>& K) {
+  for (int k = 0; k < n; ++k) carrier_[static_cast<std::size_t>(k)].resize(static_cast<std::size_t>(K.size(k)));
+  for (Index t = 0; t < tops_; ++t) {
+    const auto index = face_indices(K, t);
+    for (unsigned mask = 1; mask < full_mask<n>; ++mask) {
+      Carrier& carrier = carrier_[static_cast<std::size_t>(mask_degree(mask))][static_cast<std::size_t>(index[mask])];
+      if (carrier.top < 0) carrier = {t, mask};
+    }
+  }
+}
+
+template <int n>
+Geometry<n> Geometry<n>::from_points(const SimplicialComplex<n>& K, std::vector<double> points, int m) {
+  require_pure(K);
+  require_dimension(m, n);
+  require_shape("coordinates", points.size(), K.size(0), "vertices", m);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!std::isfinite(points[i])) {
+      const auto v = i / static_cast<std::size_t>(m), axis = i % static_cast<std::size_t>(m);
+      throw GeometryError(text("coordinate ", axis, " of vertex ", v, " is ", points[i], "; positions must be finite"));
+    }
+  return Geometry(K, MetricSource::points, m, std::move(points));
+}
+
+template <int n>
+Geometry<n> Geometry<n>::from_corners(const SimplicialComplex<n>& K, std::vector<double> corners, int m) {
+  require_pure(K);
+  require_dimension(m, n);
+  require_shape("corner coordinates", corners.size(), K.size(n), "top simplices", Offset{n + 1} * m);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (!std::isfinite(corners[i])) {
+      const auto corner = i / static_cast<std::size_t>(m), t = corner / (n + 1);
+      throw GeometryError(text("a coordinate of vertex ", K.simplex(n, static_cast<Index>(t))[corner % (n + 1)],
+                               " as a corner of ", simplex_text(K, n, static_cast<Index>(t)), " is ", corners[i],
+                               "; positions must be finite"));
+    }
+  Geometry geometry(K, MetricSource::corners, m, std::move(corners));
+  if constexpr (n > 0) require_consistent(K, geometry);
+  return geometry;
+}
+
+template <int n>
+Geometry<n> Geometry<n>::from_squared_lengths(const SimplicialComplex<n>& K, std::span<const double> squares) {
+  require_pure(K);
+  require_shape("squared lengths", squares.size(), K.size(1), "edges", 1);
+  for (std::size_t e = 0; e < squares.size(); ++e)
+    if (!std::isfinite(squares[e]) || squares[e] <= 0)
+      throw GeometryError(text("squared length of edge ", e, " = ", tuple_text(K.simplex(1, static_cast<Index>(e))),
+                               " is ", squares[e], "; it must be positive and finite"));
+  // Cholesky's factor of the Gram matrix of the edges from corner 0 has their coordinates as rows.
+  std::vector<double> corners(static_cast<std::size_t>(K.size(n)) * (n + 1) * n, 0.0);
+  for (Index t = 0; t < K.size(n); ++t) {
+    double* row = corners.data() + static_cast<std::size_t>(t) * (n + 1) * n;
+    const auto index = face_indices(K, t);
+    const auto square = [&](int a, int b) {
+      return a == b ? 0.0 : squares[static_cast<std::size_t>(index[(1U << a) | (1U << b)])];
+    };
+    for (int i = 1; i <= n; ++i)
+      for (int j = 1; j <= i; ++j) {
+        double rest = (square(0, i) + square(0, j) - square(i, j)) / 2;
+        for (int c = 0; c < j - 1; ++c) rest -= row[i * n + c] * row[j * n + c];
+        const double pivot = row[j * n + j - 1];
+        if (j < i) {
+          row[i * n + j - 1] = pivot > 0 ? rest / pivot : 0;
+        } else if (rest < -1e-14 * square(0, i)) {
+          throw GeometryError(text("no Euclidean simplex has the edge lengths of ", simplex_text(K, n, t),
+                                   ": the squared altitude of its vertex ",
+                                   K.simplex(n, t)[static_cast<std::size_t>(i)], " would be ", rest,
+                                   "; edge lengths must satisfy the simplex inequalities"));
+        } else {
+          row[i * n + i - 1] = std::sqrt(std::max(rest, 0.0));
+        }
+      }
+  }
+  return Geometry(K, MetricSource::lengths, n, std::move(corners));
+}
+
+template <int n>
+Geometry<n> Geometry<n>::from_mesh(const SimplicialComplex<n>& K, const MeshData& mesh) {
+  const int m = mesh.ambient_dimension;
+  if (mesh.has_corners()) {
+    require_pure(K);
+    require_shape("corner coordinates", mesh.corners.size(), mesh.simplices.size(), "rows", Offset{n + 1} * m);
+    require_shape("rows", static_cast<std::size_t>(mesh.simplices.size()), K.size(n), "top simplices", 1);
+    std::vector<double> sorted(mesh.corners.size());
+    std::array<std::size_t, n + 1> order;
+    for (Offset row = 0; row < mesh.simplices.size(); ++row) {
+      const auto vertices = mesh.simplices[row];
+      std::iota(order.begin(), order.end(), std::size_t{0});
+      std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return vertices[a] < vertices[b]; });
+      const auto at = [&](std::size_t corner) {
+        return (static_cast<std::size_t>(row) * (n + 1) + corner) * static_cast<std::size_t>(m);
+      };
+      for (std::size_t i = 0; i <= n; ++i) std::copy_n(mesh.corners.data() + at(order[i]), m, sorted.data() + at(i));
+    }
+    return from_corners(K, std::move(sorted), m);
+  }
+  if (!mesh.has_points() && K.size(0) > 0)
+    throw GeometryError(
+        "the mesh is abstract: it has no positions, so it has no metric; give positions or edge lengths");
+  return from_points(K, mesh.points, m);
+}
+
+template <int n>
+std::vector<double> Geometry<n>::simplex_corners(const SimplicialComplex<n>& K, int k, Index i) const {
+  const auto d = static_cast<std::size_t>(width_);
+  std::vector<double> result;
+  result.reserve((static_cast<std::size_t>(k) + 1) * d);
+  if (source_ == MetricSource::points) {
+    for (const Index v : K.simplex(k, i)) {
+      const double* p = coordinates_.data() + static_cast<std::size_t>(v) * d;
+      result.insert(result.end(), p, p + d);
+    }
+    return result;
+  }
+  const Carrier carrier =
+      k == n ? Carrier{i, full_mask<n>} : carrier_[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
+  const auto corner = corners(K, carrier.top);
+  for (int v = 0; v <= n; ++v)
+    if ((carrier.mask >> v) & 1U) result.insert(result.end(), corner[v], corner[v] + d);
+  return result;
+}
+
+template <int n>
+double Geometry<n>::roundoff(const std::array<const double*, n + 1>& corners) const noexcept {
+  if (source_ == MetricSource::lengths) return 0;
+  double largest = 0;
+  for (const double* p : corners)
+    for (int c = 0; c < width_; ++c) largest = std::max(largest, std::abs(p[c]));
+  return 16 * std::numeric_limits<double>::epsilon() * largest;
+}
+
+template <int n>
+void Geometry<n>::require_fits(const SimplicialComplex<n>& K) const {
+  if (K.size(0) != vertices_ || K.size(n) != tops_)
+    throw InputError(text("the geometry was made for a complex of ", vertices_, " vertices and ", tops_,
+                          " top simplices; this one has ", K.size(0), " and ", K.size(n)));
+}
+
+template class Geometry<0>;
+template class Geometry<1>;
+template class Geometry<2>;
+template class Geometry<3>;
+template class Geometry<4>;
+
+}  // namespace derham

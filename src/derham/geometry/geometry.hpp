@@ -1,0 +1,123 @@
+#pragma once
+
+#include "derham/complex/simplicial_complex.hpp"
+#include "derham/core/types.hpp"
+#include "derham/geometry/mesh_data.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace derham {
+
+/// What a metric is made of.
+enum class MetricSource : std::uint8_t {
+  points,   ///< one position per vertex
+  corners,  ///< positions of the corners of every top simplex on its own (periodic meshes)
+  lengths   ///< edge lengths only
+};
+
+/// The metric of a pure n-complex, n = 0 to 4: flat top simplices that agree on the lengths of the edges they share.
+///
+/// Whatever it is made of, every top simplex has corners with coordinates, in the order of its sorted representative;
+/// all that is metric is derived from them simplex by simplex, so that an immersion, a periodic mesh and a list of edge
+/// lengths are treated alike. Belongs to the complex it was made for; immutable.
+template <int n>
+class Geometry {
+  static_assert(0 <= n && n <= 4, "metric quantities are instantiated for dimensions 0 to 4");
+
+ public:
+  /// From positions of the vertices: `points` shape (|V|, m) row-major, m >= n.
+  /// Throws   TopologyError if K is not pure; InputError on a wrong shape; GeometryError naming a vertex that is not
+  ///          finite
+  [[nodiscard]] static Geometry from_points(const SimplicialComplex<n>& K, std::vector<double> points, int m);
+
+  /// From positions of the corners of every top simplex: `corners` shape (|K_n|, n+1, m) row-major, corners in the
+  /// order of the sorted representative.
+  /// Throws   as from_points; GeometryError naming an edge whose squared length differs by more than 1e-9 relative
+  ///          between two top simplices
+  [[nodiscard]] static Geometry from_corners(const SimplicialComplex<n>& K, std::vector<double> corners, int m);
+
+  /// From squared edge lengths: shape (|E|,), units length^2.
+  /// Throws   TopologyError if K is not pure; InputError on a wrong shape; GeometryError naming an edge whose value is
+  ///          not finite and positive, or a top simplex that no Euclidean simplex has these lengths (a flat one is
+  ///          accepted here and reported as degenerate later)
+  [[nodiscard]] static Geometry from_squared_lengths(const SimplicialComplex<n>& K, std::span<const double> squares);
+
+  /// From a mesh whose simplices K was built from: its corners if it has any (brought from the order of the rows to
+  /// that of the representatives), else its points.
+  /// Throws   GeometryError if the mesh is abstract; otherwise as above
+  [[nodiscard]] static Geometry from_mesh(const SimplicialComplex<n>& K, const MeshData& mesh);
+
+  [[nodiscard]] MetricSource source() const noexcept { return source_; }
+
+  /// Dimension m of the space of points or corners; 0 when there are only lengths.
+  [[nodiscard]] int ambient_dimension() const noexcept { return source_ == MetricSource::lengths ? 0 : width_; }
+
+  /// Number of coordinates of a corner: m, or n when there are only lengths.
+  [[nodiscard]] int coordinate_dimension() const noexcept { return width_; }
+
+  /// Whether top simplices have signed volumes: m = n and coordinates were given.
+  [[nodiscard]] bool has_signed_volume() const noexcept { return source_ != MetricSource::lengths && width_ == n; }
+
+  /// Positions of the vertices, shape (|V|, m) row-major; empty unless made from points.
+  [[nodiscard]] std::span<const double> points() const noexcept {
+    return source_ == MetricSource::points ? std::span<const double>(coordinates_) : std::span<const double>();
+  }
+
+  /// Coordinates of the corners of top simplex t in the order of its representative; each points to
+  /// coordinate_dimension() numbers.
+  [[nodiscard]] std::array<const double*, n + 1> corners(const SimplicialComplex<n>& K, Index t) const noexcept {
+    std::array<const double*, n + 1> result;
+    const auto d = static_cast<std::size_t>(width_);
+    if (source_ == MetricSource::points) {
+      const auto vertices = K.template simplex<n>(t);
+      for (std::size_t i = 0; i <= n; ++i) result[i] = coordinates_.data() + static_cast<std::size_t>(vertices[i]) * d;
+    } else {
+      for (std::size_t i = 0; i <= n; ++i)
+        result[i] = coordinates_.data() + (static_cast<std::size_t>(t) * (n + 1) + i) * d;
+    }
+    return result;
+  }
+
+  /// Coordinates of the vertices of k-simplex i, shape (k+1, coordinate_dimension()): in the chart of the first top
+  /// simplex it belongs to unless made from points.
+  [[nodiscard]] std::vector<double> simplex_corners(const SimplicialComplex<n>& K, int k, Index i) const;
+
+  /// A top simplex counts as flat when its smallest altitude is at most
+  /// max(relative_flatness() * longest edge, roundoff(t)).
+  /// 1e-12 for coordinates; 1e-7 for lengths, where an altitude is the root of a difference of squares.
+  [[nodiscard]] double relative_flatness() const noexcept { return source_ == MetricSource::lengths ? 1e-7 : 1e-12; }
+
+  /// 16 ulp of the largest coordinate in magnitude of a corner of t: what rounding a rigid motion of the mesh may do.
+  /// Units    length; 0 when there are only lengths
+  [[nodiscard]] double roundoff(const std::array<const double*, n + 1>& corners) const noexcept;
+
+  /// Throws InputError unless this geometry was made for a complex with the lists of K.
+  void require_fits(const SimplicialComplex<n>& K) const;
+
+ private:
+  Geometry(const SimplicialComplex<n>& K, MetricSource source, int width, std::vector<double> coordinates);
+  void find_carriers(const SimplicialComplex<n>& K);
+
+  struct Carrier {
+    Index top = -1;
+    unsigned mask = 0;
+  };
+
+  MetricSource source_;
+  int width_;
+  Index vertices_, tops_;
+  std::vector<double> coordinates_;                  // (|V|, m), or (|K_n|, n+1, d)
+  std::array<std::vector<Carrier>, n + 1> carrier_;  // [k < n]: the first top simplex of each; only without points
+};
+
+extern template class Geometry<0>;
+extern template class Geometry<1>;
+extern template class Geometry<2>;
+extern template class Geometry<3>;
+extern template class Geometry<4>;
+
+}  // namespace derham

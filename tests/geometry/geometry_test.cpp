@@ -1,0 +1,135 @@
+#include "derham/geometry/geometry.hpp"
+
+#include "derham/core/error.hpp"
+#include "derham/meshes/boxes.hpp"
+#include "geometry/mesh_kit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace derham {
+namespace {
+
+const SimplicialComplex<2>& two_triangles() {
+  static const SimplicialComplex<2> K(SimplexList{{0, 1, 2}, {1, 2, 3}});
+  return K;
+}
+
+template <class Exception, class Call>
+std::string message(Call&& call) {
+  try {
+    call();
+  } catch (const Exception& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing of the expected type was thrown";
+  return "";
+}
+
+bool mentions(const std::string& whole, const std::string& part) { return whole.find(part) != std::string::npos; }
+
+TEST(Geometry, CornersFollowTheRepresentative) {
+  const SimplicialComplex<2> K(SimplexList{{2, 0, 1}});
+  const auto g = Geometry<2>::from_points(K, {0, 0, 1, 0, 0, 1}, 2);
+  const auto corners = g.corners(K, 0);
+  EXPECT_EQ(corners[1][0], 1);
+  EXPECT_EQ(corners[2][1], 1);
+}
+
+TEST(Geometry, CornersOfAMeshAreBroughtToSortedOrder) {
+  MeshData mesh;
+  mesh.simplices = SimplexList{{2, 0, 1}};
+  mesh.vertex_count = 3;
+  mesh.ambient_dimension = 2;
+  mesh.corners = {20, 21, 0, 1, 10, 11};
+  const SimplicialComplex<2> K(mesh.simplices);
+  const auto g = Geometry<2>::from_mesh(K, mesh);
+  for (int v = 0; v < 3; ++v) {
+    EXPECT_EQ(g.corners(K, 0)[v][0], 10 * v);
+    EXPECT_EQ(g.corners(K, 0)[v][1], 10 * v + 1);
+  }
+  EXPECT_EQ(g.simplex_corners(K, 1, K.at({1, 2}).index), (std::vector<double>{10, 11, 20, 21}));
+  EXPECT_EQ(g.simplex_corners(K, 0, 2), (std::vector<double>{20, 21}));
+}
+
+TEST(Geometry, RefusesWhatIsNotFiniteAndNamesTheVertex) {
+  const auto& K = two_triangles();
+  std::vector<double> points{0, 0, 1, 0, 0, 1, 1, 1};
+  points[5] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_PRED2(mentions, message<GeometryError>([&] { (void)Geometry<2>::from_points(K, points, 2); }),
+               "coordinate 1 of vertex 2 is nan");
+  points[5] = -std::numeric_limits<double>::infinity();
+  EXPECT_PRED2(mentions, message<GeometryError>([&] { (void)Geometry<2>::from_points(K, points, 2); }),
+               "vertex 2 is -inf");
+  std::vector<double> corners(12, 0.0);
+  corners[8] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_PRED2(mentions, message<GeometryError>([&] { (void)Geometry<2>::from_corners(K, corners, 2); }),
+               "vertex 2 as a corner of 2-simplex 1");
+}
+
+TEST(Geometry, RefusesWrongShapes) {
+  const auto& K = two_triangles();
+  EXPECT_THROW((void)Geometry<2>::from_points(K, std::vector<double>(7), 2), InputError);
+  EXPECT_THROW((void)Geometry<2>::from_points(K, std::vector<double>(4), 1), InputError);
+  EXPECT_THROW((void)Geometry<2>::from_corners(K, std::vector<double>(11), 2), InputError);
+  EXPECT_THROW((void)Geometry<2>::from_squared_lengths(K, std::vector<double>(4, 1.0)), InputError);
+  const SimplicialComplex<2> other(SimplexList{{0, 1, 2}});
+  const auto g = Geometry<2>::from_points(other, std::vector<double>(6), 2);
+  EXPECT_THROW(g.require_fits(K), InputError);
+  MeshData abstract;
+  abstract.simplices = SimplexList{{0, 1, 2}};
+  abstract.vertex_count = 3;
+  EXPECT_THROW((void)Geometry<2>::from_mesh(other, abstract), GeometryError);
+}
+
+TEST(Geometry, DemandsPurity) {
+  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}, {2, 3}});
+  EXPECT_PRED2(mentions, message<TopologyError>([&] { (void)Geometry<2>::from_points(K, std::vector<double>(8), 2); }),
+               "(2, 3)");
+}
+
+TEST(Geometry, CornersMustAgreeOnSharedEdges) {
+  // Edge (1,2) has squared length 2 in the first triangle, 5 in the second.
+  const std::vector<double> corners{0, 0, 1, 0, 0, 1, 0, 0, 2, 1, 0, 1};
+  EXPECT_PRED2(mentions, message<GeometryError>([&] { (void)Geometry<2>::from_corners(two_triangles(), corners, 2); }),
+               "(1, 2)");
+  const MeshData torus = meshes::periodic_box(3, 3);
+  const SimplicialComplex<3> K(torus.simplices);
+  EXPECT_NO_THROW((void)Geometry<3>::from_mesh(K, torus));
+}
+
+TEST(Geometry, LengthsGiveASimplexWithTheseLengths) {
+  const SimplicialComplex<3> K(SimplexList{{0, 1, 2, 3}});
+  const std::vector<double> squares{1, 2, 1.5, 1.25, 1.75, 2.25};
+  const auto g = Geometry<3>::from_squared_lengths(K, squares);
+  EXPECT_EQ(g.ambient_dimension(), 0);
+  EXPECT_FALSE(g.has_signed_volume());
+  const auto p = g.corners(K, 0);
+  for (Index e = 0; e < 6; ++e) {
+    const auto v = K.simplex(1, e);
+    double sum = 0;
+    for (int c = 0; c < 3; ++c) sum += std::pow(p[v[0]][c] - p[v[1]][c], 2);
+    EXPECT_NEAR(sum, squares[e], 1e-14);
+  }
+}
+
+TEST(Geometry, LengthsMustSatisfyTheSimplexInequality) {
+  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}});
+  const auto lengths = [&](std::vector<double> squares) { (void)Geometry<2>::from_squared_lengths(K, squares); };
+  EXPECT_PRED2(mentions, message<GeometryError>([&] { lengths({1, 1, 5}); }), "2-simplex 0 = (0, 1, 2)");
+  EXPECT_PRED2(mentions, message<GeometryError>([&] { lengths({1, -1, 1}); }), "edge 1 = (0, 2)");
+  EXPECT_NO_THROW(lengths({1, 1, 4}));  // flat
+}
+
+TEST(Geometry, PointsAndEmptyComplex) {
+  const SimplicialComplex<0> points(SimplexList{{0}, {1}});
+  EXPECT_EQ(Geometry<0>::from_points(points, {1, 2, 3, 4}, 2).corners(points, 1)[0][1], 4);
+  const SimplicialComplex<3> empty;
+  EXPECT_NO_THROW((void)Geometry<3>::from_points(empty, {}, 3));
+}
+
+}  // namespace
+}  // namespace derham
