@@ -31,7 +31,7 @@ TYPED_TEST(Volumes, OfTheUnitCornerSimplex) {
     for (int k = 0; k <= n; ++k)
       for (Index i = 0; i < K.size(k); ++i) {
         const bool origin = K.simplex(k, i)[0] == 0;
-        EXPECT_NEAR(volume[k][i], (origin ? 1 : std::sqrt(k + 1.0)) / factorial(k), 1e-14);
+        EXPECT_NEAR(volume[k][i], (origin ? 1 : std::sqrt(k + 1.0)) / static_cast<double>(factorial(k)), 1e-14);
       }
   }
 }

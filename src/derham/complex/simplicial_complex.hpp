@@ -51,7 +51,9 @@ class SimplicialComplex {
   explicit SimplicialComplex(const SimplexList& rows, Index vertex_count = -1);
 
   /// |K_k|; 0 for k outside 0..n.
-  [[nodiscard]] Index size(int k) const noexcept {
+  // Inlined always: GCC before 14 outlines half of it, merges the halves of different n and then believes the range of k
+  // of the smallest n (GCC bug 113907), which makes loops over k endless.
+  [[nodiscard, gnu::always_inline]] Index size(int k) const noexcept {
     return k < 0 || k > n
                ? 0
                : static_cast<Index>(simplices_[static_cast<std::size_t>(k)].size() / (static_cast<std::size_t>(k) + 1));

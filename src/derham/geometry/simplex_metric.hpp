@@ -11,7 +11,7 @@ namespace derham {
 
 /// Lower triangular coordinates of k vectors: row i has its components along the orthonormalised vectors 0..i.
 template <int k>
-using Triangle = std::array<std::array<double, static_cast<std::size_t>(k)>, static_cast<std::size_t>(k)>;
+using TriangularMatrix = std::array<std::array<double, static_cast<std::size_t>(k)>, static_cast<std::size_t>(k)>;
 
 /// Modified Gram–Schmidt. `edges` holds k rows of m numbers and is used up; m = 0 at compile time means `width`.
 /// Coordinates have a backward error of a few ulp of the edge lengths (Björck 1967), however flat the simplex is.
@@ -50,9 +50,9 @@ struct CircumcentricSimplex {
 };
 
 /// From triangular coordinates (corner 0 at the origin, corner i+1 at row i). Needs pivots r[i][i] > 0.
-/// The circumcentre y solves r y = ½|r_i|²; the rows g_i of the inverse are the gradients of λ_i, 1/|g_i| the
-/// altitudes. Source   Hirani, Kalyanaraman, VanderZee, "Delaunay Hodge star", 2013 (the signs); MATHEMATICS of any
-/// Gram system
+/// The circumcentre y solves r y = ½|r_i|²; the columns g_i of the inverse are the gradients of λ_i, 1/|g_i| the
+/// altitudes.
+/// Source   Hirani, Kalyanaraman, VanderZee, "Delaunay Hodge star", 2013 (the signs)
 template <int k>
 [[nodiscard]] inline CircumcentricSimplex<k> circumcentric(const TriangularMatrix<k>& r) noexcept {
   CircumcentricSimplex<k> result;
@@ -129,6 +129,13 @@ class SimplexMetric {
       for (int i = 0; i < n; ++i) flat = flat || !(frame_[i][i] > threshold);
       degenerate = flat || circumcentres(threshold);
     }
+  }
+
+  /// Coordinates of the corners in an orthonormal frame of the simplex's own n-plane.
+  [[nodiscard]] std::array<std::array<double, n>, n + 1> coordinates() const noexcept {
+    std::array<std::array<double, n>, n + 1> x{};
+    for (int i = 0; i < n; ++i) x[i + 1] = frame_[i];
+    return x;
   }
 
  private:

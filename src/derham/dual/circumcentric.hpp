@@ -1,0 +1,46 @@
+#pragma once
+
+#include "derham/complex/simplicial_complex.hpp"
+#include "derham/geometry/geometry.hpp"
+#include "derham/geometry/volumes.hpp"
+
+#include <vector>
+
+namespace derham {
+
+/// Signed circumcentric dual volumes and primal volumes of every degree, whatever the mesh: nothing is refused here.
+///
+/// The dual of a top simplex has volume 1, and D(σ^k) = 1/(n-k) Σ h±(σ^k, σ^{k+1}) D(σ^{k+1}) over the cofaces, where
+/// h± is the distance of the circumcentre of σ^{k+1} from σ^k, positive on the side of the opposite vertex. The
+/// recursion is linear, so each top simplex adds its own share.
+///
+/// A value that rounding could explain is stored as exactly 0: one that could vanish if every h were wrong by 1e-10 of
+/// the circumradius of σ^{k+1} (plus 16 ulp of the coordinates). So a right-angled mesh keeps its zeros under every rigid
+/// motion and scaling. NaN marks the simplices of degenerate top simplices, whose dual cells do not exist.
+template <int n>
+struct CircumcentricDual {
+  ByDegree<n> primal;             ///< [k] (|K_k|,) volumes; units length^k
+  ByDegree<n> dual;               ///< [k] (|K_k|,) signed volumes of the dual cells; units length^(n-k)
+  std::vector<Index> degenerate;  ///< top simplices left out, as QualityReport::degenerate
+  bool well_centered = true;      ///< every simplex of every degree contains its circumcentre in its interior
+};
+
+/// Cost     one pass over the top simplices, the sums in their order; no allocation beyond the result
+/// Source   Elcott & Schröder, "Building your own DEC at home", §6.2.1, with 1/(n-k) and the signs of Hirani,
+///          Kalyanaraman, VanderZee, "Delaunay Hodge star", 2013
+template <int n>
+[[nodiscard]] CircumcentricDual<n> circumcentric_dual(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
+
+/// The signed dual volumes, [k] (|K_k|,), units length^(n-k).
+/// Law      Σ |σ^k| D(σ^k) = C(n,k) |M| for every k, on every mesh
+/// Throws   GeometryError naming the degenerate top simplices, if there are any
+template <int n>
+[[nodiscard]] ByDegree<n> dual_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
+
+/// Volumes of the barycentric dual cells: the cells whose corners are barycentres. All positive, even where simplices
+/// are flat. Use them for k = 0 and k = n only: for 0 < k < n these cells are not orthogonal to their simplices, and
+/// the diagonal star made of them does not converge. Law      Σ |σ^k| D(σ^k) = C(n,k) |M| for k = 0 and k = n only
+template <int n>
+[[nodiscard]] ByDegree<n> barycentric_dual_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
+
+}  // namespace derham

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "derham/complex/simplicial_complex.hpp"
+#include "derham/dual/circumcentric.hpp"
+
+#include <vector>
+
+namespace derham {
+
+/// What the diagonal star of one degree is like: star[i] = dual volume / volume.
+struct StarVerdict {
+  double min = 0;               ///< of the defined entries, NaN if there is none; units length^(n-2k)
+  std::vector<Index> zero;      ///< simplices whose dual volume is zero: no inverse there
+  std::vector<Index> negative;  ///< simplices whose dual volume is negative: not a positive definite mass
+  Index undefined = 0;          ///< simplices of a degenerate top simplex, which have no dual cell
+};
+
+struct DualReport {
+  std::vector<StarVerdict> star;  ///< (n+1,) by degree
+  /// Every facet with two top simplices has a non-negative dual length: the mesh is Delaunay in the weak sense
+  /// (cospherical neighbours count). Facets of degenerate top simplices make it false.
+  bool pairwise_delaunay = true;
+  /// The same for the facets with one top simplex: no circumcentre lies beyond the boundary.
+  bool one_sided = true;
+  /// Every simplex of every degree contains its circumcentre in its interior; then all stars are positive.
+  bool well_centered = true;
+  std::vector<Index> degenerate;  ///< degenerate top simplices
+};
+
+/// Judges dual volumes. Pairwise Delaunay and one-sided together imply that no entry is negative.
+/// Cost     one pass over all simplices
+/// Source   Hirani, Kalyanaraman, VanderZee, "Delaunay Hodge star", 2013
+template <int n>
+[[nodiscard]] DualReport dual_report(const SimplicialComplex<n>& K, const CircumcentricDual<n>& dual);
+
+/// The same from the metric.
+template <int n>
+[[nodiscard]] DualReport dual_report(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
+  return dual_report(K, circumcentric_dual(K, geometry));
+}
+
+}  // namespace derham
