@@ -1,0 +1,63 @@
+#include "derham/hodge/hodge_star.hpp"
+
+#include "derham/core/text.hpp"
+#include "derham/dual/circumcentric.hpp"
+#include "derham/geometry/naming.hpp"
+
+#include <utility>
+
+namespace derham {
+
+template <int n>
+HodgeStar<n>::HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geometry) : complex_(&K) {
+  if (!K.is_orientable())
+    throw TopologyError(
+        text("the Hodge star needs an orientable complex; orientation is reversed along the closed walk ", "of ",
+             K.orientation().one_sided.size(), " top simplices ", simplices_text<n>(K, n, K.orientation().one_sided)));
+  auto volumes = circumcentric_dual(K, geometry);
+  if (!volumes.degenerate.empty())
+    throw GeometryError(text("the Hodge star divides by volumes, and ", volumes.degenerate.size(),
+                             " top simplices are flat: ", simplices_text<n>(K, n, volumes.degenerate),
+                             "; move their vertices or remove them"));
+  diagonal_ = std::move(volumes.dual);
+  for (std::size_t k = 0; k <= n; ++k)
+    for (std::size_t i = 0; i < diagonal_[k].size(); ++i) diagonal_[k][i] /= volumes.primal[k][i];
+}
+
+template <int n>
+std::span<const double> HodgeStar<n>::diagonal(int k) const {
+  if (k < 0 || k > n) throw InputError(text("a Hodge star of degree ", k, "; degrees are 0 to ", n));
+  return diagonal_[static_cast<std::size_t>(k)];
+}
+
+template <int n>
+std::vector<double> HodgeStar<n>::inverse_diagonal(int k) const {
+  const auto star = diagonal(k);
+  std::vector<double> result(star.begin(), star.end());
+  std::vector<Index> zero;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (result[i] == 0) zero.push_back(static_cast<Index>(i));
+    result[i] = 1 / result[i];
+  }
+  if (!zero.empty())
+    throw GeometryError(
+        text("the Hodge star of degree ", k, " has no inverse: ", zero.size(), " dual volumes are zero, those of ",
+             simplices_text<n>(*complex_, k, zero),
+             "; use a mesh with positive dual volumes (well-centred), or an operator without the inverse"));
+  return result;
+}
+
+template <int n>
+void HodgeStar<n>::multiply(const SimplicialComplex<n>& K, std::span<const double> diagonal, std::span<const double> x,
+                            std::span<double> y) const {
+  if (&K != complex_) throw InputError("the form and the Hodge star belong to different complexes");
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = diagonal[i] * x[i];
+}
+
+template class HodgeStar<0>;
+template class HodgeStar<1>;
+template class HodgeStar<2>;
+template class HodgeStar<3>;
+template class HodgeStar<4>;
+
+}  // namespace derham

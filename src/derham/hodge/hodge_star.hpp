@@ -1,0 +1,78 @@
+#pragma once
+
+#include "derham/complex/simplicial_complex.hpp"
+#include "derham/core/error.hpp"
+#include "derham/forms/form.hpp"
+#include "derham/geometry/geometry.hpp"
+#include "derham/geometry/volumes.hpp"
+
+#include <span>
+#include <vector>
+
+namespace derham {
+
+/// The diagonal Hodge star of every degree: where metric meets topology. K must outlive it.
+///
+/// star[i] = vol(dual cell of simplex i) / vol(simplex i), signed: the integral density of a form is kept.
+/// Maps     primal k-form -> dual (n-k)-form        Shape   (|K_k|,) the diagonal
+/// Matrix   diagonal; all entries positive iff no dual volume is zero or negative (see dual_report)
+/// Units    length^(n-2k)
+/// Source   Elcott & Schröder, "Building your own DEC at home", §6.2; Hirani 2003, §4.1
+template <int n>
+class HodgeStar {
+ public:
+  /// Cost     one pass over the top simplices
+  /// Throws   TopologyError if K is not orientable (names a one-sided cycle); GeometryError if a top simplex is
+  ///          degenerate (names it)
+  HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
+
+  [[nodiscard]] const SimplicialComplex<n>& complex() const noexcept { return *complex_; }
+
+  /// The diagonal of degree k, shape (|K_k|,). Throws InputError unless 0 <= k <= n.
+  [[nodiscard]] std::span<const double> diagonal(int k) const;
+
+  /// 1/star[i], shape (|K_k|,). Throws GeometryError naming the k-simplices whose dual volume is zero.
+  [[nodiscard]] std::vector<double> inverse_diagonal(int k) const;
+
+  /// ⋆ of a primal k-form.
+  /// Throws   InputError if the form belongs to another complex
+  template <int k>
+  [[nodiscard]] Form<n, n - k, Side::dual> operator()(const Form<n, k, Side::primal>& w) const {
+    Form<n, n - k, Side::dual> result(*complex_);
+    multiply(w.complex(), diagonal(k), w.values(), result.values());
+    return result;
+  }
+
+  /// ⋆ of a dual j-form: with k = n-j, the primal k-form (-1)^(k(n-k)) ⋆_k^-1 w. Hence ⋆⋆ = (-1)^(k(n-k)).
+  /// Throws   GeometryError naming simplices whose dual volume is zero; InputError as above
+  template <int j>
+  [[nodiscard]] Form<n, n - j, Side::primal> operator()(const Form<n, j, Side::dual>& w) const {
+    auto result = inverse(w);
+    if (j * (n - j) % 2 != 0) result *= -1;
+    return result;
+  }
+
+  /// ⋆_k^-1 of a dual (n-k)-form, without the sign of the dual -> primal star: inverse(⋆w) = w.
+  /// Throws   as above
+  template <int j>
+  [[nodiscard]] Form<n, n - j, Side::primal> inverse(const Form<n, j, Side::dual>& w) const {
+    Form<n, n - j, Side::primal> result(*complex_);
+    multiply(w.complex(), inverse_diagonal(n - j), w.values(), result.values());
+    return result;
+  }
+
+ private:
+  void multiply(const SimplicialComplex<n>& K, std::span<const double> diagonal, std::span<const double> x,
+                std::span<double> y) const;
+
+  const SimplicialComplex<n>* complex_;
+  ByDegree<n> diagonal_;
+};
+
+extern template class HodgeStar<0>;
+extern template class HodgeStar<1>;
+extern template class HodgeStar<2>;
+extern template class HodgeStar<3>;
+extern template class HodgeStar<4>;
+
+}  // namespace derham
