@@ -37,11 +37,17 @@ inline Tuple without(Tuple t, std::size_t i) {
   return t;
 }
 
-/// Every nonempty subset of the sorted tuple `t`, itself included.
-inline std::set<Tuple> subsets(const Tuple& t) {
-  std::set<Tuple> result{t};
-  if (t.size() == 1) return result;
-  for (std::size_t i = 0; i < t.size(); ++i) result.merge(subsets(without(t, i)));
+/// Every nonempty subset of the tuple `t`, itself included: to keep or to leave out each vertex in turn.
+inline std::vector<Tuple> subsets(const Tuple& t) {
+  std::vector<Tuple> result{{}};
+  for (const Index v : t) {
+    const std::vector<Tuple> without_v = result;
+    for (Tuple s : without_v) {
+      s.push_back(v);
+      result.push_back(s);
+    }
+  }
+  result.erase(result.begin());
   return result;
 }
 

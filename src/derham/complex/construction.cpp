@@ -61,6 +61,7 @@ using RecordSet = std::array<Records, static_cast<std::size_t>(n)>;
 
 template <int n>
 void load(UpperLink<n>& link, const RecordSet<n>& records, Index v) {
+  link.clear();
   for (const Records& r : records)
     for (Index i = 0; i < r.count(v); ++i) link.add_vertices(r.suffix(v, i));
   link.close_vertices();
@@ -161,6 +162,7 @@ void ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const SimplexList& r
   if constexpr (n == 0) {
     bool in_order = true;
     for (Offset row = 0; row < tops; ++row) in_order = in_order && rows[row][0] == row;
+    if (tops != vertex_count) require_valid_input(check_input(rows, vertex_count), rows, vertex_count);
     for (Offset row = 0; row < tops && !in_order; ++row) K.rows_.push_back({0, rows[row][0]});
     return;
   } else {
@@ -185,7 +187,6 @@ void ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const SimplexList& r
         for (Index v = static_cast<Index>(first); v < last; ++v) {
           load<n>(*link, records, v);
           for (int k = 1; k < n; ++k) K.buckets_[k][static_cast<std::size_t>(v) + 1] = link->count(k);
-          link->clear();
         }
       });
     }
@@ -222,7 +223,6 @@ void ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const SimplexList& r
             K.faces_[n][static_cast<std::size_t>(records[1].top(v, i)) * (n + 1) + n] =
                 K.buckets_[n - 1][static_cast<std::size_t>(v)] + link->position(n - 1, r);
           }
-          link->clear();
         }
         const auto less = [&](Index a, Index b) {
           const auto sa = records[0].suffix(v, a), sb = records[0].suffix(v, b);

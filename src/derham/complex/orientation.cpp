@@ -32,6 +32,8 @@ Orientation coherent_orientation(const SimplicialComplex<n>& K, std::span<const 
   const Index tops = K.size(n);
   if (preferred.size() != static_cast<std::size_t>(tops))
     throw InputError(text("there are ", preferred.size(), " preferred signs for ", tops, " top simplices"));
+  for (const Sign sign : preferred)
+    if (sign != 1 && sign != -1) throw InputError(text("preferred sign is ", int{sign}, "; it must be +1 or -1"));
   Orientation result;
   result.sign.assign(preferred.size(), Sign{0});
   const FacetCofaces dual = facet_cofaces(K);

@@ -4,6 +4,7 @@
 #include "derham/core/text.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace derham {
@@ -35,7 +36,9 @@ void SimplexList::push_back(std::span<const Index> row) {
 }
 
 Index SimplexList::vertex_bound() const noexcept {
-  return vertices_.empty() ? 0 : static_cast<Index>(*std::ranges::max_element(vertices_) + 1);
+  if (vertices_.empty()) return 0;
+  const Index largest = *std::ranges::max_element(vertices_);
+  return largest == std::numeric_limits<Index>::max() ? largest : largest + 1;
 }
 
 }  // namespace derham

@@ -47,7 +47,7 @@ class SimplexList {
   [[nodiscard]] std::span<const Index> vertices() const noexcept { return vertices_; }
   [[nodiscard]] std::span<Index> vertices() noexcept { return vertices_; }
 
-  /// 1 + the largest id; 0 for an empty list. Meaningful only when no id is negative.
+  /// 1 + the largest id, but no more than Index holds; 0 for an empty list. Meaningful only when no id is negative.
   [[nodiscard]] Index vertex_bound() const noexcept;
 
   friend bool operator==(const SimplexList&, const SimplexList&) = default;

@@ -28,6 +28,19 @@ bool looks_sound(const SimplexList& rows, Index vertex_count) {
   return std::ranges::find(used, char{0}) == used.end();
 }
 
+/// The largest dimension of `rows` is not n: throws for the first row that is too long, or else for the first of the
+/// longest, none of which is long enough.
+[[noreturn]] void refuse_dimension(const SimplexList& rows, int n) {
+  if (rows.empty()) throw InputError("there are vertices but no simplices; every vertex must be used by one");
+  const int offending = rows.dimension() > n ? n + 1 : rows.dimension();
+  Offset row = 0;
+  while (static_cast<int>(rows[row].size()) - 1 < offending) ++row;
+  throw InputError(text("row ", row, " ", tuple_text(rows[row]), " has dimension ", rows[row].size() - 1,
+                        rows.dimension() > n ? ", more than" : ", and no row has", " the dimension ", n,
+                        " of the complex; give at least one row of ", n + 1, " vertices and none longer"),
+                   row);
+}
+
 }  // namespace
 
 template <int n>
@@ -38,10 +51,7 @@ SimplicialComplex<n>::SimplicialComplex() {
 template <int n>
 SimplicialComplex<n>::SimplicialComplex(const SimplexList& rows, Index vertex_count) : SimplicialComplex() {
   if (rows.empty() && vertex_count <= 0) return;
-  if (rows.dimension() != n)
-    throw InputError(text("the largest simplex of the input has dimension ", rows.dimension(),
-                          ", but the complex has dimension ", n, "; give at least one row of ", n + 1,
-                          " vertices and none longer"));
+  if (rows.dimension() != n) refuse_dimension(rows, n);
   if (rows.size() > std::numeric_limits<Index>::max())
     throw LimitError(text(rows.size(), " rows do not fit the index type; build derham with DERHAM_INDEX64=ON"));
   const Index vertices = vertex_count < 0 ? rows.vertex_bound() : vertex_count;

@@ -14,11 +14,12 @@ namespace derham {
 /// The upper link of one vertex v in an n-complex: all tuples s of vertices larger than v such that v*s is a simplex of
 /// degree 1..n-1. Vertices are replaced by their rank among the upper neighbours of v; the 2-tuples are kept in a bit
 /// matrix, so that their lexicographic order and position come from counting bits, longer ones (n >= 4) as sorted
-/// lists. One object serves many vertices in turn; `clear` costs only what the last vertex used.
+/// lists. One object serves many vertices in turn: `clear` it before each, which costs only what the last one used (and
+/// mends what an exception left behind).
 template <int n>
 class UpperLink {
  public:
-  using Ranks = std::array < Index, n<1 ? 1 : n>;  // tuple of ranks, padded with zeros
+  using Ranks = std::array<Index, static_cast<std::size_t>(n < 1 ? 1 : n)>;  // tuple of ranks, padded with zeros
 
   explicit UpperLink(Index vertex_count) : rank_(static_cast<std::size_t>(vertex_count), -1) {}
 
@@ -27,8 +28,8 @@ class UpperLink {
   void add_vertices(std::span<const Index> suffix) {
     for (const Index w : suffix) {
       if (rank_[static_cast<std::size_t>(w)] < 0) {
-        rank_[static_cast<std::size_t>(w)] = 0;
         neighbours_.push_back(w);
+        rank_[static_cast<std::size_t>(w)] = 0;
       }
     }
   }

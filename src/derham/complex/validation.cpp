@@ -5,6 +5,7 @@
 #include "derham/core/text.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace derham {
@@ -52,7 +53,7 @@ void find_unused(InputReport& report, const SimplexList& rows, Index vertex_coun
     next = v + 1;
     ++used;
   }
-  report.unused = vertex_count - used;
+  report.unused = std::max<Offset>(0, vertex_count - used);  // all ids may be negative, and vertex_count with them
   if (report.unused > 0 && report.first_unused < 0) report.first_unused = next;
 }
 
@@ -86,9 +87,9 @@ InputReport check_input(const SimplexList& rows, Index vertex_count) {
 void require_valid_input(const InputReport& report, const SimplexList& rows, Index vertex_count) {
   if (!report.out_of_range.empty()) {
     const auto [row, vertex] = report.out_of_range.front();
-    const auto allowed = vertex_count < 0 ? std::string("0 or more") : text("0 to ", vertex_count - 1);
-    throw InputError(text("row ", row, " ", tuple_text(rows[row]), " has vertex ", vertex, "; allowed are ", allowed,
-                          ". Vertex ids are 0-based positions"),
+    const Index bound = vertex_count < 0 ? std::numeric_limits<Index>::max() : vertex_count;
+    throw InputError(text("row ", row, " ", tuple_text(rows[row]), " has vertex ", vertex,
+                          "; ids are 0-based positions, at least 0 and less than ", bound),
                      row);
   }
   if (!report.repeats.empty()) {
@@ -97,10 +98,16 @@ void require_valid_input(const InputReport& report, const SimplexList& rows, Ind
                           "; the vertices of a simplex are distinct. Remove the row or give the corner its own vertex"),
                      row);
   }
-  if (report.unused > 0)
-    throw InputError(text("vertex ", report.first_unused, " is in no simplex (", report.unused,
-                          " unused in all); every vertex must be used. Drop unused vertices and renumber, or list the "
-                          "vertex as a 0-simplex of its own"));
+  if (report.unused > 0) {
+    // When the ids themselves say how many vertices there are, the row to look at is the first that jumps the gap.
+    Offset row = vertex_count < 0 ? 0 : -1;
+    while (row >= 0 && std::ranges::max(rows[row]) < report.first_unused) ++row;
+    const auto where = row < 0 ? std::string() : text(", but row ", row, " is ", tuple_text(rows[row]));
+    throw InputError(text("vertex ", report.first_unused, " is in no simplex", where, "; every id up to the largest ",
+                          "must be used, and ", report.unused, " are not. Drop unused vertices and renumber, or list ",
+                          "the vertex as a 0-simplex of its own"),
+                     row);
+  }
   if (!report.duplicates.empty()) {
     const auto [row, first_row] = report.duplicates.front();
     throw InputError(text("row ", row, " ", tuple_text(rows[row]), " has the same vertices as row ", first_row, " ",

@@ -24,7 +24,11 @@ class ScratchPool {
         free_.pop_back();
       }
     }
-    if (!object) object = std::make_unique<T>(make_());
+    if (!object) {
+      object = std::make_unique<T>(make_());
+      const std::lock_guard lock(mutex_);
+      free_.reserve(++made_);  // so that returning an object cannot throw
+    }
     const auto put_back = [this](T* raw) {
       std::unique_ptr<T> owned(raw);
       const std::lock_guard lock(mutex_);
@@ -36,6 +40,7 @@ class ScratchPool {
  private:
   std::function<T()> make_;
   std::mutex mutex_;
+  std::size_t made_ = 0;
   std::vector<std::unique_ptr<T>> free_;
 };
 

@@ -1,0 +1,113 @@
+// The library's complex against the reference's, bit for bit, on random input.
+#include "derham/complex/simplicial_complex.hpp"
+#include "support/compare_with_reference.hpp"
+#include "support/random_rows.hpp"
+
+#include <gtest/gtest.h>
+
+#include <type_traits>
+
+namespace derham {
+namespace {
+
+using support::expect_same_as_reference;
+using support::Random;
+using support::Rows;
+
+template <class Dimension>
+class Construction : public testing::Test {
+ protected:
+  static constexpr int n = Dimension::value;
+
+  /// Calls `rows(random)` for the seeds 0 … count-1 and compares; stops at the first seed that fails.
+  template <class MakeRows>
+  static void compare(int count, MakeRows&& make_rows) {
+    for (int seed = 0; seed < count && !testing::Test::HasFailure(); ++seed) {
+      SCOPED_TRACE(testing::Message() << "n = " << n << ", seed " << seed);
+      Random random(static_cast<Random::result_type>(seed));
+      expect_same_as_reference<n>(make_rows(random));
+    }
+  }
+};
+
+template <int n>
+using Dimension = std::integral_constant<int, n>;
+using Dimensions =
+    testing::Types<Dimension<0>, Dimension<1>, Dimension<2>, Dimension<3>, Dimension<4>, Dimension<5>, Dimension<6>>;
+TYPED_TEST_SUITE(Construction, Dimensions);
+
+TYPED_TEST(Construction, OneSimplex) {
+  constexpr int dimension = TypeParam::value;
+  this->compare(
+      5, [](Random& random) { return support::shuffled({support::subset(dimension + 1, 0, 9, random)}, random); });
+}
+
+TYPED_TEST(Construction, RandomFacets) {
+  this->compare(60, [](Random& random) { return support::random_pure(TypeParam::value, random); });
+}
+
+TYPED_TEST(Construction, SeveralComponents) {
+  this->compare(10, [](Random& random) { return support::random_components(TypeParam::value, 3, random); });
+}
+
+TYPED_TEST(Construction, ManySimplicesOnManyVertices) {
+  constexpr int dimension = TypeParam::value;
+  this->compare(3, [](Random& random) {
+    Rows rows;
+    for (int i = 0; i < 300; ++i) rows.push_back(support::subset(dimension + 1, 0, 100, random));
+    return support::shuffled(rows, random);
+  });
+}
+
+TYPED_TEST(Construction, MixedDimensions) {
+  if constexpr (TypeParam::value >= 1) {
+    this->compare(60, [](Random& random) { return support::random_mixed(TypeParam::value, random); });
+    this->compare(10, [](Random& random) { return support::random_rips(TypeParam::value, random); });
+  }
+}
+
+// The local links are bit matrices of 64-bit words up to 512 neighbours, and sorted lists beyond.
+TYPED_TEST(Construction, HubsAtTheSeamsOfTheBitMatrix) {
+  if constexpr (TypeParam::value >= 2) {
+    for (const int upper : {63, 64, 65, 128, 129, 511, 512, 513, 600}) {
+      if (TypeParam::value >= 5 && upper % 64 > 1) continue;
+      this->compare(1, [&](Random& random) { return support::hub(TypeParam::value, upper, random); });
+    }
+  }
+}
+
+TYPED_TEST(Construction, EmptyInput) {
+  constexpr int dimension = TypeParam::value;
+  const SimplicialComplex<dimension> from_rows{SimplexList()}, by_default;
+  for (const auto* K : {&from_rows, &by_default}) {
+    for (int k = -1; k <= dimension + 1; ++k) EXPECT_EQ(K->size(k), 0);
+    EXPECT_TRUE(K->is_pure());
+    EXPECT_TRUE(K->is_orientable());
+    EXPECT_EQ(K->orientation().components, 0);
+    EXPECT_EQ(K->component_count(), 0);
+    EXPECT_EQ(K->euler_characteristic(), 0);
+    EXPECT_FALSE(K->find({0}));
+    EXPECT_EQ(incidence(*K, dimension, 0).rows(), 0);
+  }
+}
+
+TEST(MixedConstruction, FacesAmongTheRowsAreAbsorbed) {
+  const SimplicialComplex<2> K(SimplexList{{2, 3}, {0, 2, 1}, {1, 0}, {4}, {2}});
+  EXPECT_EQ(K.size(0), 5);
+  EXPECT_EQ(K.size(1), 4);
+  EXPECT_EQ(K.size(2), 1);
+  EXPECT_FALSE(K.is_pure());
+  ASSERT_EQ(K.maximal_lower().size(), 2u);  // vertex 4 and edge (2,3)
+  EXPECT_EQ(K.maximal_lower()[0].degree, 0);
+  EXPECT_EQ(K.maximal_lower()[0].index, 4);
+  EXPECT_EQ(K.maximal_lower()[1].degree, 1);
+  EXPECT_EQ(K.maximal_lower()[1].index, K.at({2, 3}).index);
+  EXPECT_EQ(K.row_target(2).index, K.at({0, 1}).index);
+  EXPECT_EQ(K.sign(2, 0), -1);  // the first input tuple is odd and positive
+  EXPECT_EQ(K.component_count(), 2);
+  EXPECT_EQ(K.euler_characteristic(), 2);
+  EXPECT_TRUE(SimplicialComplex<2>(SimplexList{{0, 1, 2}, {1, 2}}).is_pure());
+}
+
+}  // namespace
+}  // namespace derham
