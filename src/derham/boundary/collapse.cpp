@@ -4,8 +4,10 @@
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -49,44 +51,44 @@ class Worklist {
   std::size_t head_ = 0;
 };
 
+/// Collapses the alive k-simplices, given by the indices of their `width` = k+1 faces, as far as it goes; `alive_faces`
+/// loses the faces collapsed through. True when none is left.
+bool collapse_degree(std::span<const Index> faces, std::size_t width, const std::vector<char>& alive,
+                     std::vector<char>& alive_faces, Worklist& free_faces) {
+  auto left = std::ranges::count(alive, char{1});
+  std::vector<Cofaces> cofaces(alive_faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (alive[i / width]) cofaces[static_cast<std::size_t>(faces[i])].add(static_cast<Index>(i / width));
+  free_faces.clear();
+  for (std::size_t face = 0; face < cofaces.size(); ++face)
+    if (cofaces[face].count == 1) free_faces.push(static_cast<Index>(face));
+  while (!free_faces.empty()) {
+    const auto face = static_cast<std::size_t>(free_faces.pop());
+    if (cofaces[face].count != 1) continue;  // its coface went through another face
+    const Index coface = cofaces[face].combined;
+    alive_faces[face] = 0;
+    --left;
+    for (const Index other : faces.subspan(static_cast<std::size_t>(coface) * width, width)) {
+      Cofaces& rest = cofaces[static_cast<std::size_t>(other)];
+      rest.remove(coface);
+      if (rest.count == 1) free_faces.push(other);
+    }
+  }
+  return left == 0;
+}
+
 template <int n>
 bool collapses(const SimplicialComplex<n>& K, Index removed_top, unsigned attempt) {
   Worklist free_faces(attempt);
-  std::vector<char> alive(static_cast<std::size_t>(K.size(n)), 1), alive_below;
-  Index left = K.size(n);
-  if (removed_top >= 0) {
-    alive[static_cast<std::size_t>(removed_top)] = 0;
-    --left;
-  }
+  std::vector<char> alive(static_cast<std::size_t>(K.size(n)), 1);
+  if (removed_top >= 0) alive[static_cast<std::size_t>(removed_top)] = 0;
   for (int k = n; k >= 1; --k) {
-    Index left_below = K.size(k - 1);
-    alive_below.assign(static_cast<std::size_t>(left_below), 1);
-    std::vector<Cofaces> cofaces(static_cast<std::size_t>(left_below));
-    for (Index s = 0; s < K.size(k); ++s) {
-      if (!alive[static_cast<std::size_t>(s)]) continue;
-      for (const Index face : K.faces(k, s)) cofaces[static_cast<std::size_t>(face)].add(s);
-    }
-    free_faces.clear();
-    for (Index face = 0; face < K.size(k - 1); ++face)
-      if (cofaces[static_cast<std::size_t>(face)].count == 1) free_faces.push(face);
-    while (!free_faces.empty()) {
-      const auto face = static_cast<std::size_t>(free_faces.pop());
-      if (cofaces[face].count != 1) continue;  // its coface went through another face
-      const Index coface = cofaces[face].combined;
-      alive_below[face] = 0;
-      --left_below;
-      --left;
-      for (const Index other : K.faces(k, coface)) {
-        Cofaces& rest = cofaces[static_cast<std::size_t>(other)];
-        rest.remove(coface);
-        if (rest.count == 1) free_faces.push(other);
-      }
-    }
-    if (left > 0) return false;
-    alive.swap(alive_below);
-    left = left_below;
+    std::vector<char> alive_faces(static_cast<std::size_t>(K.size(k - 1)), 1);
+    if (!collapse_degree(K.face_table(k), static_cast<std::size_t>(k) + 1, alive, alive_faces, free_faces))
+      return false;
+    alive.swap(alive_faces);
   }
-  return left == 1;
+  return std::ranges::count(alive, char{1}) == 1;
 }
 
 }  // namespace
