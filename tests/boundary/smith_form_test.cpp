@@ -45,11 +45,12 @@ TEST(SmithForm, RefusesRowsOutOfRange) {
   EXPECT_THROW(static_cast<void>(smith_form(A)), InputError);
 }
 
-TEST(SmithForm, SurvivesIntegersOfMoreThan64Bits) {
-  const std::int64_t p = 3037000493, q = 1000000007;
-  const SmithForm form = smith_form(sparse({{p, q, 0}, {q, p, q}, {0, q, p}}));  // determinant p (p^2 - 2 q^2)
-  EXPECT_EQ(form.rank, 3);
-  EXPECT_TRUE(form.divisors.size() <= 1);
+/// p^2 and the divisor lcm(p, 4 q) exceed 63 bits; what comes out fits, or is refused.
+TEST(SmithForm, KnowsIntegersOfMoreThan64Bits) {
+  const std::int64_t p = 4000000007, q = 3999999979;
+  const SmithForm form = smith_form(sparse({{p, q, p * 2}, {q, p, q * 2}, {p * 2, q * 2, p * 4}}));
+  EXPECT_EQ(form.rank, 2) << "the third row is twice the first";
+  EXPECT_EQ(form.divisors, Divisors{(p - q) * (p + q)});
   EXPECT_THROW(static_cast<void>(smith_form(sparse({{p, 0}, {0, 4 * q}}))), LimitError);
 }
 

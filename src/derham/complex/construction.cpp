@@ -174,8 +174,10 @@ void ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const SimplexList& r
     });
 
     RecordSet<n> records;
-    parallel_blocks(n, 1, [&](Offset p, Offset) {
-      records[static_cast<std::size_t>(p)] = Records(T, n, static_cast<int>(p), vertex_count);
+    const Offset places = tops < (1 << 14) ? n : 1;  // small complexes, like links, are not worth a thread
+    parallel_blocks(n, places, [&](Offset first, Offset last) {
+      for (Offset p = first; p < last; ++p)
+        records[static_cast<std::size_t>(p)] = Records(T, n, static_cast<int>(p), vertex_count);
     });
     ScratchPool<UpperLink<n>> links([&] { return UpperLink<n>(vertex_count); });
 

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #ifdef DERHAM_THREADS_TBB
@@ -16,8 +17,20 @@
 
 namespace derham {
 namespace {
+
 std::atomic<int> chosen_threads{0};
+thread_local bool inside_loop = false;  // this thread runs a block: loops within it run on this thread alone
+
+/// Calls one block of a parallel loop.
+void run_block(detail::BlockFunction function, void* context, Offset block) {
+  struct Inside {
+    bool before = std::exchange(inside_loop, true);
+    ~Inside() { inside_loop = before; }
+  } inside;
+  function(context, block);
 }
+
+}  // namespace
 
 int thread_count() {
   const int chosen = chosen_threads.load();
@@ -34,7 +47,7 @@ namespace detail {
 
 void run_blocks(Offset blocks, BlockFunction function, void* context) {
   const Offset threads = std::min<Offset>(thread_count(), blocks);
-  if (threads <= 1) {
+  if (threads <= 1 || inside_loop) {
     for (Offset block = 0; block < blocks; ++block) function(context, block);
     return;
   }
@@ -42,7 +55,7 @@ void run_blocks(Offset blocks, BlockFunction function, void* context) {
   tbb::task_arena arena(static_cast<int>(threads));
   arena.execute([&] {
     tbb::parallel_for(
-        Offset{0}, blocks, [&](Offset block) { function(context, block); }, tbb::simple_partitioner());
+        Offset{0}, blocks, [&](Offset block) { run_block(function, context, block); }, tbb::simple_partitioner());
   });
 #elif defined(DERHAM_THREADS_STD)
   std::atomic<Offset> next{0};
@@ -50,7 +63,7 @@ void run_blocks(Offset blocks, BlockFunction function, void* context) {
   std::mutex failure_mutex;
   const auto work = [&] {
     try {
-      for (Offset block = next++; block < blocks; block = next++) function(context, block);
+      for (Offset block = next++; block < blocks; block = next++) run_block(function, context, block);
     } catch (...) {
       const std::lock_guard lock(failure_mutex);
       if (!failure) failure = std::current_exception();

@@ -21,6 +21,7 @@ void run_blocks(Offset blocks, BlockFunction function, void* context);
 /// Calls `body(begin, end)` on consecutive pieces of [0, size) of `grain` items each (the last may be shorter), in any
 /// order and on several threads. The pieces do not depend on the number of threads, so a body that writes only what
 /// belongs to its piece gives the same bits always. The first exception thrown by a body reaches the caller.
+/// A loop inside the body of another runs on the thread of that body.
 template <class Body>
 void parallel_blocks(Offset size, Offset grain, Body&& body) {
   if (size <= 0) return;
