@@ -1,0 +1,153 @@
+#include "commands.hpp"
+
+#include "derham/core/text.hpp"
+#include "derham/io/write_mesh.hpp"
+#include "derham/meshes/balls.hpp"
+#include "derham/meshes/boxes.hpp"
+#include "derham/meshes/example.hpp"
+#include "derham/meshes/lattices.hpp"
+#include "derham/meshes/polytopes.hpp"
+#include "derham/meshes/tori.hpp"
+#include "derham/meshes/voxels.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+namespace derham::cli {
+namespace {
+
+/// All options of all kinds; each kind reads its own.
+struct Recipe {
+  std::string kind, out, format, spec;
+  int dimension = 3;
+  bool dimension_given = false;
+  std::vector<Index> cells;
+  Index layers = 8, rings = 6, segments = 94, sides = 24;
+  int level = 3;
+  double jitter = 0, radius = 1, minor = 0.4;
+  std::uint64_t seed = 1;
+
+  [[nodiscard]] int dimension_or(int usual) const { return dimension_given ? dimension : usual; }
+};
+
+/// One number stands for all axes.
+std::vector<Index> cells_of(const Recipe& r) {
+  if (r.cells.empty())
+    return std::vector<Index>(static_cast<std::size_t>(std::clamp(r.dimension, 0, max_dimension + 1)), 4);
+  if (r.cells.size() == 1)
+    return std::vector<Index>(static_cast<std::size_t>(std::clamp(r.dimension, 0, max_dimension + 1)), r.cells[0]);
+  if (r.dimension_given && r.cells.size() != static_cast<std::size_t>(r.dimension))
+    throw Failure(
+        Exit::usage, "usage",
+        text("--cells has ", r.cells.size(), " numbers for dimension ", r.dimension, "; give one, or one per axis"));
+  return r.cells;
+}
+
+Index cells_per_axis(const Recipe& r, Index usual) {
+  if (r.cells.size() > 1) throw Failure(Exit::usage, "usage", text("'", r.kind, "' takes one number of --cells"));
+  return r.cells.empty() ? usual : r.cells[0];
+}
+
+meshes::BoxOptions box_options(const Recipe& r) {
+  meshes::BoxOptions options;
+  options.jitter = r.jitter;
+  options.seed = r.seed;
+  return options;
+}
+
+using Generator = std::function<MeshData(const Recipe&)>;
+
+const std::map<std::string, Generator>& generators() {
+  static const std::map<std::string, Generator> all{
+      {"box", [](const Recipe& r) { return meshes::box(cells_of(r), box_options(r)); }},
+      {"periodic-box", [](const Recipe& r) { return meshes::periodic_box(cells_of(r), box_options(r)); }},
+      {"ball", [](const Recipe& r) { return meshes::ball(r.dimension_or(3), r.layers, r.radius); }},
+      {"sphere", [](const Recipe& r) { return meshes::icosphere(r.level, r.radius); }},
+      {"torus", [](const Recipe& r) { return meshes::torus(r.segments, r.sides, r.radius, r.minor); }},
+      {"solid-torus", [](const Recipe& r) { return meshes::solid_torus(r.rings, r.segments, r.radius, r.minor); }},
+      {"simplex-boundary", [](const Recipe& r) { return meshes::simplex_boundary(r.dimension_or(3)); }},
+      {"cross-polytope", [](const Recipe& r) { return meshes::cross_polytope(r.dimension_or(3)); }},
+      {"bcc", [](const Recipe& r) { return meshes::bcc_lattice(cells_per_axis(r, 3)); }},
+      {"a-star", [](const Recipe& r) { return meshes::a_star_lattice(r.dimension_or(3), cells_per_axis(r, 3)); }},
+      {"600-cell", [](const Recipe&) { return meshes::cell_600(); }},
+      {"voxels", [](const Recipe& r) { return meshes::voxels(r.spec); }},
+      {"example", [](const Recipe&) { return meshes::example(); }},
+  };
+  return all;
+}
+
+MeshFormat output_format(const Recipe& r) {
+  if (!r.format.empty()) {
+    if (const auto format = format_by_name(r.format)) return *format;
+    throw Failure(Exit::usage, "usage",
+                  "unknown format '" + r.format + "'" +
+                      suggestion(r.format, {"tetgen", "gmsh", "off", "obj", "facets", "vtu"}) +
+                      "; formats are tetgen, gmsh, off, obj, facets, vtu");
+  }
+  if (r.out == "-") return MeshFormat::facets;
+  if (const auto format = format_by_extension(r.out)) return *format;
+  throw Failure(Exit::usage, "usage",
+                "the name '" + r.out +
+                    "' does not tell the format; use .node, .ele, .msh, .off, .obj, .facets, .vtu or --format");
+}
+
+}  // namespace
+
+Run add_generate(CLI::App& parent, Common& common) {
+  CLI::App& command = *parent.add_subcommand("generate", "makes a mesh");
+  const auto recipe = std::make_shared<Recipe>();
+  std::vector<std::string> kinds;
+  for (const auto& [kind, generator] : generators()) kinds.push_back(kind);
+  std::string listed;
+  for (const auto& kind : kinds) listed += (listed.empty() ? "" : ", ") + kind;
+  command.add_option("KIND", recipe->kind, listed)->required();
+  command
+      .add_option("-o,--out", recipe->out, "file to write (.node/.ele, .msh, .off, .obj, .facets, .vtu), - for stdout")
+      ->required();
+  command.add_option("--format", recipe->format, "instead of the one the file's extension names");
+  CLI::Option* dimension =
+      command.add_option("--dimension", recipe->dimension,
+                         "of the mesh (box, periodic-box, ball, a-star, simplex-boundary, cross-polytope; 3)");
+  command
+      .add_option("--cells", recipe->cells,
+                  "cubes per axis, one number or one per axis (box, periodic-box: 4; bcc, a-star: 3)")
+      ->delimiter(',');
+  command.add_option("--jitter", recipe->jitter, "random displacement, in cell sizes (box, periodic-box)");
+  command.add_option("--seed", recipe->seed, "of the jitter");
+  command.add_option("--layers", recipe->layers, "shells (ball: 8)");
+  command.add_option("--level", recipe->level, "subdivisions (sphere: 3)");
+  command.add_option("--rings", recipe->rings, "rings of a disk (solid-torus: 6)");
+  command.add_option("--segments", recipe->segments, "the long way round (torus, solid-torus: 94)");
+  command.add_option("--sides", recipe->sides, "around the tube (torus: 24)");
+  command.add_option("--radius", recipe->radius, "ball, sphere; of the core circle (torus, solid-torus): 1");
+  command.add_option("--minor", recipe->minor, "radius of the tube (torus, solid-torus): 0.4");
+  command.add_option("--spec", recipe->spec,
+                     "voxels: a box and boxes taken away (-) or put back (+), e.g. 3x3x1-1,1,0");
+  add_common_options(command, common);
+  return [&common, recipe, dimension, kinds, listed] {
+    recipe->dimension_given = dimension->count() > 0;
+    const auto generator = generators().find(recipe->kind);
+    if (generator == generators().end())
+      throw Failure(
+          Exit::usage, "usage",
+          "there is no mesh '" + recipe->kind + "'" + suggestion(recipe->kind, kinds) + "; kinds are " + listed);
+    if (recipe->kind == "voxels" && recipe->spec.empty())
+      throw Failure(Exit::usage, "usage", "voxels need --spec, e.g. --spec 3x3x1-1,1,0");
+    const MeshFormat format = output_format(*recipe);
+    const MeshData mesh = generator->second(*recipe);
+    write_mesh(recipe->out, mesh, format);
+    const Console console(common);
+    if (common.json && recipe->out != "-")
+      print(Json{{"file", recipe->out},
+                 {"vertices", mesh.vertex_count},
+                 {"top_simplices", mesh.simplices.size()},
+                 {"dimension", mesh.simplices.dimension()}});
+    else
+      console.message(text(recipe->out, ": ", mesh.vertex_count, " vertices, ", mesh.simplices.size(),
+                           " simplices of dimension ", mesh.simplices.dimension()));
+    return Exit::ok;
+  };
+}
+
+}  // namespace derham::cli

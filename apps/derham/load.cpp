@@ -1,0 +1,108 @@
+#include "load.hpp"
+
+#include "derham/core/error.hpp"
+#include "derham/core/text.hpp"
+#include "derham/io/read_mesh.hpp"
+#include "derham/io/unused_vertices.hpp"
+
+#include <numeric>
+
+namespace derham::cli {
+namespace {
+
+std::optional<MeshFormat> wanted_format(const Input& input) {
+  if (input.format.empty()) return {};
+  const auto format = format_by_name(input.format);
+  if (!format)
+    throw Failure(Exit::usage, "usage",
+                  "unknown format '" + input.format + "'" +
+                      suggestion(input.format, {"tetgen", "gmsh", "off", "obj", "facets"}) +
+                      "; readable formats are tetgen, gmsh, off, obj, facets");
+  return format;
+}
+
+/// drop_unused_vertices, with the way back kept as positions.
+Index compact(LoadedMesh& loaded) {
+  MeshData& mesh = loaded.mesh;
+  mesh.vertex_tags = loaded.file_vertex;
+  const Index dropped = drop_unused_vertices(mesh);
+  loaded.file_vertex = std::move(mesh.vertex_tags);
+  mesh.vertex_tags.clear();
+  return dropped;
+}
+
+}  // namespace
+
+std::string LoadedMesh::tags_text(std::span<const Index> simplex) const {
+  if (file_tags.empty()) return {};
+  std::string out = "file numbers ";
+  for (std::size_t i = 0; i < simplex.size(); ++i)
+    out += (i ? ", " : "") + std::to_string(file_tags[static_cast<std::size_t>(position(simplex[i]))]);
+  return out;
+}
+
+void LoadedMesh::remove_rows(std::span<const Offset> rows) {
+  MeshData kept = mesh;
+  kept.simplices = SimplexList();
+  kept.corners.clear();
+  kept.row_tags.clear();
+  std::size_t next = 0;
+  for (Offset row = 0; row < mesh.simplices.size(); ++row) {
+    if (next < rows.size() && rows[next] == row) {
+      ++next;
+      continue;
+    }
+    kept.simplices.push_back(mesh.simplices[row]);
+    if (!mesh.row_tags.empty()) kept.row_tags.push_back(mesh.row_tags[static_cast<std::size_t>(row)]);
+  }
+  mesh = std::move(kept);
+  compact(*this);
+}
+
+LoadedMesh load_mesh(const Input& input, Console& console) {
+  LoadedMesh loaded;
+  loaded.path = input.path;
+  const auto format = wanted_format(input);
+  console.stage("reading " + input.path);
+  loaded.mesh = read_mesh(input.path, format);
+  console.clear_stage();
+  loaded.file_tags = std::move(loaded.mesh.vertex_tags);
+  loaded.mesh.vertex_tags.clear();
+  if (loaded.mesh.ignored_lower > 0)
+    console.message(text(input.path, ": ignored ", loaded.mesh.ignored_lower, " simplices of lower dimension"));
+  const Index unused = first_unused_vertex(loaded.mesh);
+  if (unused < 0) return loaded;
+  if (!input.drop_unused) {
+    const Index one[] = {unused};
+    const std::string tags = loaded.tags_text(one);
+    throw Failure(Exit::unreadable, "input",
+                  text(input.path, ": vertex ", unused, tags.empty() ? "" : " (" + tags + ")",
+                       " is in no simplex; every vertex must be used. Give --drop-unused to leave such vertices out"),
+                  input.path);
+  }
+  console.message(text(input.path, ": dropped ", compact(loaded), " unused vertices"));
+  return loaded;
+}
+
+template <int n>
+SimplicialComplex<n> build_complex(const LoadedMesh& loaded) {
+  if (loaded.mesh.simplices.empty()) return SimplicialComplex<n>();
+  try {
+    return SimplicialComplex<n>(loaded.mesh.simplices, loaded.mesh.vertex_count);
+  } catch (const InputError& error) {
+    std::string where;
+    if (error.row() >= 0 && !loaded.mesh.row_tags.empty())
+      where = text(" (in the file: simplex ", loaded.mesh.row_tags[static_cast<std::size_t>(error.row())], ")");
+    throw Failure(Exit::unreadable, "input", loaded.path + ": " + error.what() + where, loaded.path);
+  }
+}
+
+template SimplicialComplex<0> build_complex(const LoadedMesh&);
+template SimplicialComplex<1> build_complex(const LoadedMesh&);
+template SimplicialComplex<2> build_complex(const LoadedMesh&);
+template SimplicialComplex<3> build_complex(const LoadedMesh&);
+template SimplicialComplex<4> build_complex(const LoadedMesh&);
+template SimplicialComplex<5> build_complex(const LoadedMesh&);
+template SimplicialComplex<6> build_complex(const LoadedMesh&);
+
+}  // namespace derham::cli

@@ -1,0 +1,116 @@
+// The command line: one subcommand per file; this one parses, runs and turns failures into messages and exit codes.
+#include "commands.hpp"
+
+#include "derham/core/error.hpp"
+#include "derham/core/version.hpp"
+#include "derham/io/atomic_file.hpp"
+
+#include <csignal>
+#include <cstdio>
+#include <map>
+#include <new>
+
+namespace derham::cli {
+
+void add_common_options(CLI::App& command, Common& common) {
+  command.add_flag("--json", common.json, "one JSON object on stdout, for errors too");
+  command.add_flag("-q,--quiet", common.quiet, "no messages on stderr");
+}
+
+void add_input_options(CLI::App& command, Input& input) {
+  command.add_option("MESH", input.path, "mesh file (.node/.ele, .msh, .off, .obj, .facets), - for stdin")->required();
+  command.add_option("--format", input.format, "tetgen, gmsh, off, obj or facets, instead of detecting it");
+  command.add_flag("--drop-unused", input.drop_unused, "leave out vertices that are in no simplex");
+}
+
+namespace {
+
+extern "C" void end_cleanly(int signal) {
+  remove_pending_temporaries();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+Exit report(const Failure& failure, const Common& common) {
+  if (common.json) {
+    Json error{{"kind", failure.kind}, {"message", failure.what()}, {"file", nullptr}, {"line", nullptr}};
+    if (!failure.file.empty()) error["file"] = failure.file;
+    if (failure.line > 0) error["line"] = failure.line;
+    try {
+      print(Json{{"error", error}});
+    } catch (const Failure&) {
+      // stdout is gone: the exit code and stderr remain
+    }
+  }
+  if (!common.json || !common.quiet) std::fprintf(stderr, "derham: %s\n", failure.what());
+  return failure.code;
+}
+
+/// Runs the command; every exception becomes a message and an exit code here and nowhere else.
+Exit run(const Run& command, const Common& common) {
+  try {
+    return command();
+  } catch (const Failure& failure) {
+    return report(failure, common);
+  } catch (const FileError& error) {
+    const bool writing = error.action() == FileError::Action::write;
+    return report(
+        Failure(writing ? Exit::unwritable : Exit::unreadable, error.kind(), error.what(), error.path(), error.line()),
+        common);
+  } catch (const LimitError& error) {
+    return report(Failure(Exit::limit, error.kind(), error.what()), common);
+  } catch (const InputError& error) {
+    return report(Failure(Exit::usage, error.kind(), error.what()), common);
+  } catch (const Error& error) {
+    return report(Failure(Exit::numerical, error.kind(), error.what()), common);
+  } catch (const std::bad_alloc&) {
+    return report(Failure(Exit::limit, "memory", "out of memory"), common);
+  }
+}
+
+int main_of(int argc, char** argv) {
+  CLI::App app("derham: discrete exterior calculus on simplicial meshes", "derham");
+  app.set_version_flag("--version", std::string("derham ") + version);
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::simple);
+  Common common;
+  std::map<std::string, Run> commands;
+  commands["info"] = add_info(app, common);
+  commands["check"] = add_check(app, common);
+  commands["operators"] = add_operators(app, common);
+  commands["generate"] = add_generate(app, common);
+  commands["demo"] = add_demo(app, common);
+
+  bool subcommand_seen = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    common.json = common.json || word == "--json";
+    common.quiet = common.quiet || word == "--quiet" || word == "-q";
+    if (subcommand_seen || word.starts_with('-')) continue;
+    subcommand_seen = true;
+    if (commands.contains(word)) continue;
+    std::vector<std::string> names;
+    for (const auto& [name, command] : commands) names.push_back(name);
+    return static_cast<int>(report(Failure(Exit::usage, "usage",
+                                           "there is no command '" + word + "'" + suggestion(word, names) +
+                                               "; commands are check, demo, generate, info, operators"),
+                                   common));
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    std::string message = error.what();
+    return static_cast<int>(report(Failure(Exit::usage, "usage", message + "; try 'derham --help'"), common));
+  }
+  return static_cast<int>(run(commands.at(app.get_subcommands().front()->get_name()), common));
+}
+
+}  // namespace
+}  // namespace derham::cli
+
+int main(int argc, char** argv) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, derham::cli::end_cleanly);
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a write error like any other
+  return derham::cli::main_of(argc, argv);
+}

@@ -1,0 +1,202 @@
+"""The command line: verdicts, exit codes, JSON, refusals."""
+import os
+import signal
+import subprocess
+
+from runner import PROGRAM, Case, main, run
+
+MOEBIUS = "0 1 2\n1 2 3\n2 3 4\n3 4 0\n4 0 1\n"
+
+
+class Info(Case):
+    def test_box(self):
+        info = self.json("info", self.generate("box.msh", "box", "--cells", 4))
+        self.assertEqual(info["dimension"], 3)
+        self.assertEqual(info["ambient_dimension"], 3)
+        self.assertEqual(info["simplices"], [125, 604, 864, 384])
+        self.assertEqual(info["boundary_simplices"], [98, 288, 192, 0])
+        self.assertEqual(info["euler_characteristic"], 1)
+        self.assertEqual(info["components"], 1)
+        self.assertIs(info["orientable"], True)
+        self.assertEqual(info["manifold"], "yes")
+        self.assertIs(info["closed"], False)
+        self.assertAlmostEqual(info["volume"], 1, places=12)
+        self.assertEqual((info["inverted"], info["degenerate"]), (0, 0))
+        self.assertIs(info["delaunay"], True)
+        self.assertIs(info["well_centered"], False)
+        self.assertEqual([s["zero"] for s in info["star"]], [0, 304, 384, 0])
+        self.assertEqual([s["negative"] for s in info["star"]], [0, 0, 0, 0])
+        self.assertEqual(len(info["star"]), 4)
+
+    def test_abstract_meshes_have_no_metric(self):
+        info = self.json("info", self.file("moebius.facets", MOEBIUS))
+        self.assertEqual(info["simplices"], [5, 10, 5])
+        self.assertIs(info["orientable"], False)
+        self.assertEqual(info["manifold"], "yes")
+        self.assertIs(info["closed"], False)
+        for key in ("ambient_dimension", "volume", "inverted", "degenerate", "delaunay", "well_centered", "star"):
+            self.assertIsNone(info[key], key)
+
+    def test_every_dimension(self):
+        for n in range(7):
+            simplex = " ".join(str(v) for v in range(n + 1)) + "\n"
+            info = self.json("info", "-", "--format", "facets", stdin=simplex)
+            self.assertEqual(info["dimension"], n)
+            self.assertEqual(len(info["simplices"]), n + 1)
+            self.assertEqual(info["manifold"], "yes")
+            self.assertEqual(info["euler_characteristic"], 1)
+
+    def test_empty_mesh(self):
+        info = self.json("info", self.file("empty.facets", "# nothing\n"))
+        self.assertEqual(info["dimension"], -1)
+        self.assertEqual(info["simplices"], [])
+        self.assertEqual(info["euler_characteristic"], 0)
+        self.assertEqual(info["components"], 0)
+
+    def test_non_pure(self):
+        info = self.json("info", self.file("mixed.facets", "0 1 2\n2 3\n4\n"))
+        self.assertEqual(info["simplices"], [5, 4, 1])
+        self.assertEqual(info["manifold"], "no")
+        self.assertEqual(info["components"], 2)
+
+    def test_sphere_in_space(self):
+        info = self.json("info", self.generate("sphere.off", "sphere", "--level", 2))
+        self.assertEqual(info["ambient_dimension"], 3)
+        self.assertIs(info["closed"], True)
+        self.assertIsNone(info["inverted"])
+        self.assertIs(info["well_centered"], True)
+
+    def test_flat_simplex(self):
+        flat = self.file("flat.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n3 0 1 2\n3 0 1 3\n")
+        info = self.json("info", flat)
+        self.assertEqual(info["degenerate"], 1)
+        self.assertIsNone(info["star"])
+
+
+class Check(Case):
+    def defects(self, text, kinds):
+        report = self.json("check", self.file("mesh.facets", text), code=1 if kinds else 0)
+        self.assertIs(report["ok"], not kinds)
+        self.assertEqual([(d["kind"], d["simplex"]) for d in report["defects"]], kinds)
+        for defect in report["defects"]:
+            self.assertTrue(defect["detail"])
+        return report
+
+    def test_sound(self):
+        self.defects("0 1 2 3\n", [])
+
+    def test_bow_tie(self):
+        self.defects("0 1 2\n0 3 4\n", [("link", [0])])
+
+    def test_tetrahedra_sharing_less_than_a_face(self):
+        self.defects("0 1 2 3\n0 4 5 6\n", [("link", [0])])
+        self.defects("0 1 2 3\n0 1 4 5\n", [("ring", [0, 1])])
+
+    def test_three_cofaces(self):
+        self.defects("0 1 2 3\n0 1 2 4\n0 1 2 5\n", [("facet", [0, 1, 2])])
+        self.defects("0 1 2\n0 1 3\n0 1 4\n", [("facet", [0, 1])])
+
+    def test_duplicate_and_repeat(self):
+        self.defects("0 1 2 3\n1 0 3 2\n", [("duplicate", [0, 1, 2, 3])])
+        self.defects("0 1 2 3\n0 0 1 2\n", [("repeat", [0, 0, 1, 2])])
+
+    def test_one_sided(self):
+        report = self.json("check", self.file("m.facets", MOEBIUS), code=1)
+        self.assertEqual([d["kind"] for d in report["defects"]], ["orientation"])
+
+    def test_inverted_and_degenerate(self):
+        nodes = "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0.4 0.2\n"
+        path = self.file("folded.node", nodes)
+        self.file("folded.ele", "2 3 0\n0 0 1 2\n1 0 2 3\n")
+        report = self.json("check", path, code=1)
+        self.assertEqual([d["kind"] for d in report["defects"]], ["inverted"])
+        flat = self.file("flat.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n3 0 1 2\n3 0 1 3\n")
+        report = self.json("check", flat, code=1)
+        self.assertEqual([(d["kind"], d["simplex"]) for d in report["defects"]], [("degenerate", [0, 1, 2])])
+
+    def test_at_most_twenty_of_a_kind(self):
+        bow_ties = "".join(f"{5*i} {5*i+1} {5*i+2}\n{5*i} {5*i+3} {5*i+4}\n" for i in range(30))
+        path = self.file("ties.facets", bow_ties)
+        report = self.json("check", path, code=1)
+        self.assertEqual((len(report["defects"]), report["counts"]["link"]), (20, 30))
+        self.assertEqual(len(self.json("check", path, "--all", code=1)["defects"]), 30)
+
+    def test_file_numbers_are_named(self):
+        msh = ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n"
+               + "".join(f"{10 * (i + 1)} {i} {i * i} 0\n" for i in range(5))
+               + "$EndNodes\n$Elements\n2\n7 2 0 10 20 30\n9 2 0 10 40 50\n$EndElements\n")
+        report = self.json("check", self.file("tie.msh", msh), code=1)
+        link = [d for d in report["defects"] if d["kind"] == "link"]
+        self.assertEqual(link[0]["simplex"], [0])
+        self.assertIn("10", link[0]["detail"])
+
+
+class Refusals(Case):
+    def refused(self, code, *arguments, stdin=None):
+        error = self.json(*arguments, code=code, stdin=stdin)["error"]
+        self.assertEqual(set(error), {"kind", "message", "file", "line"})
+        self.assertTrue(error["message"])
+        return error
+
+    def test_mistyped_command_and_kind(self):
+        code, out, errors = run("inof", "x")
+        self.assertEqual((code, out), (2, ""))
+        self.assertIn("did you mean 'info'", errors)
+        self.assertIn("did you mean 'box'", self.refused(2, "generate", "bix", "--out", self.directory / "x.msh")["message"])
+
+    def test_usage(self):
+        self.assertEqual(run()[0], 2)
+        self.assertEqual(run("info")[0], 2)
+        self.assertEqual(run("info", "a", "--no-such-option")[0], 2)
+        self.assertEqual(run("--version")[0], 0)
+        self.assertEqual(run("info", "--help")[0], 0)
+        self.refused(2, "generate", "box", "--cells", 0, "--out", self.directory / "x.msh")
+        self.refused(2, "generate", "box", "--out", self.directory / "x.unknown")
+
+    def test_unreadable(self):
+        missing = self.refused(3, "info", self.directory / "missing.msh")
+        self.assertIn("missing.msh", missing["file"])
+        self.assertEqual(self.refused(3, "info", self.file("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n"))["line"], 4)
+        self.refused(3, "info", self.directory)
+
+    def test_rows_that_no_complex_can_hold(self):
+        for rows in ("0 1 2\n2 1 0\n", "0 1 1\n", "0 1 3\n"):
+            path = self.file("bad.facets", rows)
+            self.refused(3, "info", path)
+            self.refused(3, "operators", path, "--out", self.directory / "out")
+
+    def test_unused_vertices(self):
+        mesh = self.file("unused.off", "OFF\n4 1 0\n0 0 0\n9 9 9\n1 0 0\n0 1 0\n3 0 2 3\n")
+        self.assertIn("vertex 1", self.refused(3, "info", mesh)["message"])
+        self.assertEqual(self.json("info", mesh, "--drop-unused")["simplices"], [3, 3, 1])
+        self.json("operators", mesh, "--drop-unused", "--out", self.directory / "out")
+        self.assertEqual((self.directory / "out" / "simplices0.txt").read_text(), "0\n2\n3\n")
+
+    def test_unwritable(self):
+        box = self.generate("box.msh", "box", "--cells", 1)
+        self.refused(4, "operators", box, "--out", box)
+        self.refused(4, "generate", "box", "--out", self.directory / "no" / "such" / "x.msh")
+        if os.path.exists("/dev/full"):
+            with open("/dev/full", "w") as full:
+                self.assertEqual(subprocess.run([PROGRAM, "info", box], stdout=full, stderr=subprocess.DEVNULL).returncode, 4)
+
+    def test_too_large(self):
+        self.refused(6, "generate", "box", "--cells", 100000, "--out", self.directory / "x.msh")
+        self.assertEqual(list(self.directory.iterdir()), [])
+
+    def test_quiet(self):
+        self.assertEqual(run("generate", "box", "--out", self.directory / "x.msh", "--quiet"), (0, "", ""))
+
+
+class Interrupted(Case):
+    def test_no_temporary_is_left(self):
+        child = subprocess.Popen([PROGRAM, "generate", "box", "--cells", "60", "--out", self.directory / "big.msh", "-q"])
+        while child.poll() is None and not list(self.directory.iterdir()):
+            pass
+        child.send_signal(signal.SIGTERM)
+        self.assertIn(child.wait(), (0, -signal.SIGTERM))
+        self.assertIn([p.name for p in self.directory.iterdir()], ([], ["big.msh"]))
+
+
+if __name__ == "__main__":
+    main()
