@@ -1,7 +1,9 @@
 #include "derham/io/vtu_file.hpp"
 
+#include "derham/io/form_picture.hpp"
 #include "io/io_fixture.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -119,6 +121,45 @@ TEST(VtuFile, APeriodicMeshHasOnePointPerCorner) {
   EXPECT_EQ(vtu.values<std::int64_t>("connectivity", "Int64"), (std::vector<std::int64_t>{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(vtu.values<double>("heat", "Float64"), (std::vector<double>{10, 11, 11, 12, 12, 10}));
   EXPECT_EQ(vtu.values<double>("length", "Float64"), length);
+}
+
+TEST(FormPicture, DrawsFormsOfEveryDegreeWithIndexAndSign) {
+  const TemporaryDirectory directory;
+  const auto mesh = square();
+  SimplicialComplex<2> K(mesh.simplices);
+  K.orient_by(std::vector<double>{-1, -1});  // both representatives are negative
+  const Form<2, 0> height(K, {1, 2, 3, 4});
+  const Form<2, 1> wind(K, {10, 20, 30, 40, 50});
+  const Form<2, 1, Side::dual> flux(K, {5, 4, 3, 2, 1});
+  const Form<2, 2> rain(K, {0.5, 0.25});
+  FormPicture<2>(K, 2, mesh.points)
+      .add("height", height)
+      .add("wind", wind)
+      .add("flux", flux)
+      .add("rain", rain)
+      .write(directory / "a.vtu");
+  const ParsedVtu vtu(read_bytes(directory / "a.vtu"));
+  EXPECT_NE(vtu.header.find("NumberOfPoints=\"4\" NumberOfCells=\"11\""), std::string::npos);
+  EXPECT_EQ(vtu.values<std::int32_t>("degree", "Int32"), (std::vector<std::int32_t>{0, 0, 0, 0, 1, 1, 1, 1, 1, 2, 2}));
+  EXPECT_EQ(vtu.values<std::int64_t>("index", "Int64"), (std::vector<std::int64_t>{0, 1, 2, 3, 0, 1, 2, 3, 4, 0, 1}));
+  EXPECT_EQ(vtu.values<std::int8_t>("sign", "Int8"), (std::vector<std::int8_t>{1, 1, 1, 1, 1, 1, 1, 1, 1, -1, -1}));
+  EXPECT_EQ(vtu.values<double>("height", "Float64"), (std::vector<double>{1, 2, 3, 4}));
+  const auto expect_on = [&](const std::string& name, std::size_t first, const std::vector<double>& values) {
+    const auto cells = vtu.values<double>(name, "Float64");
+    ASSERT_EQ(cells.size(), 11u);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (i >= first && i < first + values.size()) {
+        EXPECT_EQ(cells[i], values[i - first]) << name;
+      } else {
+        EXPECT_TRUE(std::isnan(cells[i])) << name;
+      }
+    }
+  };
+  expect_on("wind", 4, {10, 20, 30, 40, 50});
+  expect_on("flux", 4, {5, 4, 3, 2, 1});
+  expect_on("rain", 9, {0.5, 0.25});
+  const SimplicialComplex<2> other(mesh.simplices);
+  EXPECT_THROW((FormPicture<2>(K, 2, mesh.points).add("x", Form<2, 1>(other))), InputError);
 }
 
 TEST(VtuFile, LargeArraysCrossTheBuffer) {

@@ -20,8 +20,8 @@ namespace derham {
 ///   FormPicture<3>(K, 3, points).add("height", h).add("current", w).write("current.vtu");
 ///
 /// A 0-form is point data. A k-form, k >= 1, is cell data of the cells that are k-simplices, NaN on all others; a dual form
-/// is drawn on the simplices that count its cells. Cells are the top simplices and all simplices of the degrees that carry a
-/// form; every cell has `degree`, `index` (its position in K_k) and `sign` (that of its representative).
+/// is drawn on the simplices that count its cells. Cells are the simplices of all degrees, K_0 first; every cell has `degree`
+/// (threshold by it to see one degree), `index` (its position in K_k) and `sign` (that of its representative).
 /// K, the points and nothing else must live until `write`.
 template <int n>
 class FormPicture {
@@ -42,17 +42,12 @@ class FormPicture {
 
   /// Writes the file, complete or not at all. Throws InputError on wrong shapes, FileError if it cannot be written.
   void write(const std::string& path) const {
-    std::array<bool, n + 1> drawn{};
-    drawn[n] = true;
-    for (const Named& form : forms_) drawn[static_cast<std::size_t>(form.degree)] |= form.degree > 0;
-
     SimplexList cells;
     std::vector<std::int32_t> degree;
     std::vector<std::int64_t> index;
     std::vector<std::int8_t> sign;
     std::array<std::size_t, n + 1> first{};
     for (int k = 0; k <= n; ++k) {
-      if (!drawn[static_cast<std::size_t>(k)]) continue;
       first[static_cast<std::size_t>(k)] = degree.size();
       for (Index i = 0; i < K_->size(k); ++i) {
         cells.push_back(K_->simplex(k, i));
