@@ -14,7 +14,7 @@ namespace derham {
 
 namespace {
 
-// A height is known to this much of the circumradius.
+// Relative to the circumradius for a height, to its own size for a height that is not zero.
 constexpr double zero_tolerance = 1e-10;
 
 template <int n>
@@ -61,11 +61,13 @@ CircumcentricDual<n> circumcentric_dual(const SimplicialComplex<n>& K, const Geo
       if constexpr (k < n) {
         double sum = 0, sum_error = 0;
         for_each_coface<n, mask>([&]<unsigned coface, int v>() {
-          const double h = metric.height[coface][v];
-          const double h_error = zero_tolerance * metric.radius[coface] + roundoff;
+          const double smallest = zero_tolerance * metric.radius[coface] + roundoff;
+          double h = metric.height[coface][v];
+          if (std::abs(h) <= smallest) h = 0;
+          const double h_error = zero_tolerance * std::abs(h) + roundoff;
           sum += h * share[coface];
           sum_error += h_error * (std::abs(share[coface]) + error[coface]) + std::abs(h) * error[coface];
-          result.well_centered = result.well_centered && h > h_error;
+          result.well_centered = result.well_centered && h > 0;
         });
         share[mask] = sum / (n - k);
         error[mask] = sum_error / (n - k);

@@ -14,9 +14,10 @@ namespace derham {
 /// h± is the distance of the circumcentre of σ^{k+1} from σ^k, positive on the side of the opposite vertex. The
 /// recursion is linear, so each top simplex adds its own share.
 ///
-/// A value that rounding could explain is stored as exactly 0: one that could vanish if every h were wrong by 1e-10 of
-/// the circumradius of σ^{k+1} (plus 16 ulp of the coordinates). So a right-angled mesh keeps its zeros under every rigid
-/// motion and scaling. NaN marks the simplices of degenerate top simplices, whose dual cells do not exist.
+/// What rounding could explain is exactly 0: a height h of at most 1e-10 of the circumradius of σ^{k+1}, and a sum that
+/// could vanish if every h were wrong by 1e-10 of itself, in both cases plus 16 ulp of the coordinates. So a right-angled
+/// mesh keeps its zeros under every rigid motion and scaling. NaN marks the simplices of degenerate top simplices, whose
+/// dual cells do not exist.
 template <int n>
 struct CircumcentricDual {
   ByDegree<n> primal;             ///< [k] (|K_k|,) volumes; units length^k
