@@ -50,6 +50,7 @@ using FaceArray = std::array<T, std::size_t{full_mask<n>} + 1>;
 template <int n>
 [[nodiscard]] FaceArray<n, Index> face_indices(const SimplicialComplex<n>& K, Index t) noexcept {
   FaceArray<n, Index> index;
+  index[0] = -1;
   index[full_mask<n>] = t;
   for_each_mask<n>([&]<unsigned mask>() {
     constexpr int k = mask_degree(mask);
