@@ -76,7 +76,7 @@ void run_blocks(Offset blocks, BlockFunction function, void* context) {
   workers.clear();
   if (failure) std::rethrow_exception(failure);
 #else
-  for (Offset block = 0; block < blocks; ++block) function(context, block);
+  for (Offset block = 0; block < blocks; ++block) run_block(function, context, block);
 #endif
 }
 
