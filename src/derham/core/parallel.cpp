@@ -11,6 +11,7 @@
 #include <vector>
 
 #ifdef DERHAM_THREADS_TBB
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -52,7 +53,8 @@ void run_blocks(Offset blocks, BlockFunction function, void* context) {
     return;
   }
 #if defined(DERHAM_THREADS_TBB)
-  tbb::task_arena arena(static_cast<int>(threads));
+  // Never more than TBB's own workers: it would print that it ignores the others.
+  tbb::task_arena arena(std::min(static_cast<int>(threads), tbb::info::default_concurrency()));
   arena.execute([&] {
     tbb::parallel_for(
         Offset{0}, blocks, [&](Offset block) { run_block(function, context, block); }, tbb::simple_partitioner());

@@ -1,0 +1,72 @@
+#include "derham/core/error.hpp"
+#include "derham/core/text.hpp"
+#include "derham/core/types.hpp"
+
+#include <gtest/gtest.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace derham {
+namespace {
+
+TEST(Types, BinomialsFollowPascalsTriangle) {
+  for (int n = 0; n <= 30; ++n) {
+    EXPECT_EQ(binomial(n, 0), 1);
+    EXPECT_EQ(binomial(n, n), 1);
+    EXPECT_EQ(binomial(n, -1), 0);
+    EXPECT_EQ(binomial(n, n + 1), 0);
+    for (int k = 1; k < n; ++k) EXPECT_EQ(binomial(n, k), binomial(n - 1, k - 1) + binomial(n - 1, k));
+  }
+}
+
+TEST(Types, Factorials) {
+  EXPECT_EQ(factorial(0), 1);
+  for (int k = 1; k <= 20; ++k) EXPECT_EQ(factorial(k), k * factorial(k - 1));
+  EXPECT_EQ(factorial(7), 5040);
+}
+
+TEST(Text, WritesItsPartsOneAfterTheOther) {
+  EXPECT_EQ(text("row ", Offset{3}, ": ", 0.5, 'x'), "row 3: 0.5x");
+}
+
+TEST(Text, Tuples) {
+  EXPECT_EQ(tuple_text(std::span<const Index>()), "()");
+  const std::vector<Index> one{7}, three{3, -1, 9};
+  EXPECT_EQ(tuple_text(std::span(one)), "(7)");
+  EXPECT_EQ(tuple_text(std::span(three)), "(3, -1, 9)");
+}
+
+TEST(Errors, KindsAreStable) {
+  EXPECT_STREQ(Error("x").kind(), "error");
+  EXPECT_STREQ(InputError("x").kind(), "input");
+  EXPECT_STREQ(TopologyError("x").kind(), "topology");
+  EXPECT_STREQ(GeometryError("x").kind(), "geometry");
+  EXPECT_STREQ(LimitError("x").kind(), "limit");
+  EXPECT_STREQ(FileError(FileError::Action::read, "a", 1, "x").kind(), "read");
+  EXPECT_STREQ(FileError(FileError::Action::write, "a", 1, "x").kind(), "write");
+}
+
+TEST(Errors, AreCaughtByTheirRootWithTheirKind) {
+  try {
+    throw InputError("row 4 is bad", 4);
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "row 4 is bad");
+    EXPECT_STREQ(error.kind(), "input");
+    EXPECT_EQ(dynamic_cast<const InputError&>(error).row(), 4);
+  }
+  EXPECT_EQ(InputError("no row").row(), -1);
+}
+
+TEST(Errors, FileErrorsSayWhere) {
+  const FileError at_line(FileError::Action::read, "mesh.off", 12, "expected 3 numbers");
+  EXPECT_STREQ(at_line.what(), "mesh.off:12: expected 3 numbers");
+  EXPECT_EQ(at_line.path(), "mesh.off");
+  EXPECT_EQ(at_line.line(), 12);
+  EXPECT_EQ(at_line.action(), FileError::Action::read);
+  EXPECT_STREQ(FileError(FileError::Action::write, "out.vtu", 0, "disk full").what(), "out.vtu: disk full");
+}
+
+}  // namespace
+}  // namespace derham
