@@ -35,6 +35,8 @@ inline Real dot(const Point& a, const Point& b) {
   return result;
 }
 
+inline Real norm(const Point& a) { return sqrt(dot(a, a)); }
+
 /// Gauss elimination without pivoting, for the positive definite A of a simplex that is not degenerate: x = A^-1 b, and
 /// det A.
 inline std::pair<Point, Real> eliminate(std::vector<Point> A, Point b) {
@@ -58,10 +60,11 @@ inline std::pair<Point, Real> eliminate(std::vector<Point> A, Point b) {
 
 /// One simplex in space, from the positions of its vertices.
 struct SimplexGeometry {
-  Real volume = 1;    // 1 for a point
-  Point barycentric;  // of the circumcentre
-  Real longest_edge;
-  Real condition = 1;  // longest edge^k / (k! volume): how much it magnifies rounding
+  Real volume = 1;     // 1 for a point
+  Point circumcenter;  // in space
+  Point barycentric;   // its barycentric coordinates
+  Real circumradius;
+  Real condition = 1;  // longest edge^k / (k! volume): how much the shape magnifies rounding
 
   explicit SimplexGeometry(const std::vector<Point>& p) {
     const std::size_t k = p.size() - 1;
@@ -77,11 +80,15 @@ struct SimplexGeometry {
     for (const Real& lambda : x) barycentric[0] -= lambda;
     barycentric.insert(barycentric.end(), x.begin(), x.end());
 
+    circumcenter.resize(p[0].size());
+    for (std::size_t i = 0; i <= k; ++i)
+      for (std::size_t axis = 0; axis < circumcenter.size(); ++axis) circumcenter[axis] += barycentric[i] * p[i][axis];
+    circumradius = norm(difference(circumcenter, p[0]));
+
+    Real longest_edge;
     for (const Point& a : p)
-      for (const Point& b : p) {
-        const Real length = sqrt(dot(difference(a, b), difference(a, b)));
-        if (length > longest_edge) longest_edge = length;
-      }
+      for (const Point& b : p)
+        if (const Real length = norm(difference(a, b)); length > longest_edge) longest_edge = length;
     volume = sqrt(determinant);
     for (std::size_t i = 1; i <= k; ++i) {
       condition *= longest_edge;
@@ -94,7 +101,7 @@ struct SimplexGeometry {
 /// Primal and signed dual volumes of every simplex of a complex with positions in any R^m, m >= n.
 struct Geometry {
   std::vector<std::vector<Real>> primal, dual;  // [k][i]
-  std::vector<std::vector<Real>> dual_scale;    // [k][i]: the same sums of absolute values: what rounding compares with
+  std::vector<std::vector<Real>> dual_scale;  // [k][i]: the same with circumradii for heights: what errors compare with
   Real worst_condition = 1;
 
   Geometry(const Complex& K, const std::vector<Point>& positions)
@@ -121,7 +128,7 @@ struct Geometry {
           const Real height = (k + 1) * primal[k + 1][c] / primal[k][s];
           const Real h = shape[k + 1][c].barycentric[i] * height;
           dual[k][s] += h * dual[k + 1][c] / (n - k);
-          dual_scale[k][s] += abs(h) * dual_scale[k + 1][c] / (n - k);
+          dual_scale[k][s] += shape[k + 1][c].circumradius * dual_scale[k + 1][c] / (n - k);
         }
       }
     }
