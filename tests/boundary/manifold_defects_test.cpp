@@ -15,8 +15,6 @@
 namespace derham {
 namespace {
 
-using Simplices = std::vector<std::vector<Index>>;
-
 struct Expected {
   DefectKind kind;
   std::vector<Index> simplex;
