@@ -160,7 +160,7 @@ Geometry<n> Geometry<n>::from_mesh(const SimplicialComplex<n>& K, const MeshData
     require_shape("corner coordinates", mesh.corners.size(), mesh.simplices.size(), "rows", Offset{n + 1} * m);
     require_shape("rows", static_cast<std::size_t>(mesh.simplices.size()), K.size(n), "top simplices", 1);
     std::vector<double> sorted(mesh.corners.size());
-    std::array<std::size_t, n + 1> order;
+    std::array<std::size_t, n + 1> order{};
     for (Offset row = 0; row < mesh.simplices.size(); ++row) {
       const auto vertices = mesh.simplices[row];
       std::iota(order.begin(), order.end(), std::size_t{0});

@@ -70,7 +70,7 @@ class Geometry {
   /// Coordinates of the corners of top simplex t in the order of its representative; each points to
   /// coordinate_dimension() numbers.
   [[nodiscard]] std::array<const double*, n + 1> corners(const SimplicialComplex<n>& K, Index t) const noexcept {
-    std::array<const double*, n + 1> result;
+    std::array<const double*, n + 1> result{};
     const auto d = static_cast<std::size_t>(width_);
     if (source_ == MetricSource::points) {
       const auto vertices = K.template simplex<n>(t);

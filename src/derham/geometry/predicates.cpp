@@ -20,7 +20,7 @@ T expansion(const std::array<std::array<T, n>, n>& a, bool alternate) {
   } else {
     T sum = 0;
     for (int column = 0; column < n; ++column) {
-      std::array<std::array<T, n - 1>, n - 1> minor;
+      std::array<std::array<T, n - 1>, n - 1> minor{};
       for (int i = 1; i < n; ++i)
         for (int j = 0, to = 0; j < n; ++j)
           if (j != column) minor[i - 1][to++] = a[i][j];
@@ -67,7 +67,7 @@ Sign orientation_sign(const std::array<const double*, n + 1>& points) {
   if constexpr (n == 0) {
     return 1;
   } else {
-    std::array<std::array<double, n>, n> a, magnitude;
+    std::array<std::array<double, n>, n> a{}, magnitude{};
     double largest = 0;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {

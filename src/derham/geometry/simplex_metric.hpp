@@ -40,8 +40,8 @@ inline void triangularize(double* edges, int width, TriangularMatrix<k>& r) noex
 template <int k>
 struct CircumcentricSimplex {
   double volume = 0, radius = 0;
-  std::array<double, static_cast<std::size_t>(k) + 1> altitude;  ///< of corner i above the facet opposite to it
-  std::array<double, static_cast<std::size_t>(k) + 1> lambda;    ///< barycentric coordinates of the circumcentre
+  std::array<double, static_cast<std::size_t>(k) + 1> altitude{};  ///< of corner i above the facet opposite to it
+  std::array<double, static_cast<std::size_t>(k) + 1> lambda{};    ///< barycentric coordinates of the circumcentre
 
   /// Signed distance of the circumcentre from the facet opposite to corner i, positive on the corner's side.
   [[nodiscard]] double height(int i) const noexcept {
@@ -57,7 +57,7 @@ template <int k>
 [[nodiscard]] inline CircumcentricSimplex<k> circumcentric(const TriangularMatrix<k>& r) noexcept {
   CircumcentricSimplex<k> result;
   TriangularMatrix<k> inverse;
-  std::array<double, static_cast<std::size_t>(k)> y;
+  std::array<double, static_cast<std::size_t>(k)> y{};
   double squared_radius = 0;
   result.volume = 1;
   for (int i = 0; i < k; ++i) {
@@ -141,7 +141,7 @@ class SimplexMetric {
  private:
   template <int m>
   void load(const std::array<const double*, n + 1>& corners) noexcept {
-    std::array<double, static_cast<std::size_t>(n * m)> edges;
+    std::array<double, static_cast<std::size_t>(n * m)> edges{};
     for (int i = 0; i < n; ++i)
       for (int c = 0; c < m; ++c)
         edges[static_cast<std::size_t>(i * m + c)] = corners[static_cast<std::size_t>(i) + 1][c] - corners[0][c];
@@ -160,7 +160,7 @@ class SimplexMetric {
 
   template <int from, int to>
   [[nodiscard]] std::array<double, n> edge() const noexcept {
-    std::array<double, n> e;
+    std::array<double, n> e{};
     for (int c = 0; c < n; ++c) e[c] = coordinate<to>(c) - coordinate<from>(c);
     return e;
   }
@@ -189,7 +189,7 @@ class SimplexMetric {
       return frame_;
     } else {
       constexpr auto v = mask_vertices<mask>();
-      std::array<double, static_cast<std::size_t>(k * n)> edges;
+      std::array<double, static_cast<std::size_t>(k * n)> edges{};
       unrolled<k>([&]<int i>() {
         const auto e = edge<v[0], v[i + 1]>();
         for (int c = 0; c < n; ++c) edges[static_cast<std::size_t>(i * n + c)] = e[c];
