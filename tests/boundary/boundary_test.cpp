@@ -121,9 +121,41 @@ TEST(BoundaryComplex, CarriesTheInducedOrientation) {
   expect_boundary_of(SimplicialComplex<2>(SimplexList{{0, 1, 4}, {4, 2, 1}, {2, 3, 4}, {4, 0, 3}}));
   expect_boundary_of(SimplicialComplex<3>(SimplexList{{0, 1, 2, 3}, {4, 1, 2, 3}, {4, 5, 2, 3}}));
   expect_boundary_of(SimplicialComplex<4>(SimplexList{{0, 1, 2, 3, 4}, {5, 1, 2, 3, 4}}));
+  expect_boundary_of(SimplicialComplex<5>(SimplexList{{0, 1, 2, 3, 4, 5}, {6, 1, 2, 3, 4, 5}, {6, 1, 2, 3, 7, 5}}));
+  expect_boundary_of(
+      SimplicialComplex<6>(SimplexList{{0, 1, 2, 3, 4, 5, 6}, {7, 1, 2, 3, 4, 5, 6}, {9, 8, 10, 11, 12, 13, 14}}));
   const SimplicialComplex<1> path(SimplexList{{0, 1}, {1, 2}});
   EXPECT_EQ(boundary_complex(path).inclusion[0], (std::vector<Index>{0, 2}));
   EXPECT_THROW((void)boundary_complex(SimplicialComplex<2>(SimplexList{{0, 1, 2}, {2, 3}})), TopologyError);
+}
+
+TEST(BoundaryComplex, OfSimplicesIsASphereInDimensionsFiveAndSix) {
+  const auto rim5 = boundary_complex(SimplicialComplex<5>(SimplexList{{0, 1, 2, 3, 4, 5}})).complex;
+  EXPECT_EQ((std::vector<Index>{rim5.size(0), rim5.size(1), rim5.size(2), rim5.size(3), rim5.size(4)}),
+            (std::vector<Index>{6, 15, 20, 15, 6}));
+  const auto rim6 = boundary_complex(SimplicialComplex<6>(SimplexList{{6, 5, 4, 3, 2, 1, 0}})).complex;
+  EXPECT_EQ((std::vector<Index>{rim6.size(0), rim6.size(1), rim6.size(2), rim6.size(3), rim6.size(4), rim6.size(5)}),
+            (std::vector<Index>{7, 21, 35, 35, 21, 7}));
+  const auto two = boundary_complex(SimplicialComplex<6>(SimplexList{{0, 1, 2, 3, 4, 5, 6}, {7, 1, 2, 3, 4, 5, 6}}));
+  EXPECT_EQ(two.complex.size(5), 12);
+  EXPECT_EQ(two.complex.find(std::array<Index, 6>{1, 2, 3, 4, 5, 6}).index, -1) << "the shared facet is inside";
+}
+
+/// The Möbius strip induces no orientation; its rim is one circle, oriented coherently by itself.
+TEST(BoundaryComplex, OfTheMoebiusStripIsOneCoherentCircle) {
+  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}});
+  const auto rim = boundary_complex(K);
+  EXPECT_EQ(rim.complex.size(0), 5);
+  EXPECT_EQ(rim.complex.size(1), 5);
+  EXPECT_TRUE(rim.complex.is_orientable());
+  EXPECT_EQ(rim.complex.orientation().components, 1);
+  const auto circle = fundamental_chain(rim.complex);
+  EXPECT_EQ(circle.terms().size(), 5U);
+  EXPECT_TRUE(boundary(circle).is_zero());
+  for (const Index e : rim.inclusion[1]) {  // the rim joins i to i + 2
+    const Index across = K.simplex(1, e)[1] - K.simplex(1, e)[0];
+    EXPECT_TRUE(across == 2 || across == 3);
+  }
 }
 
 }  // namespace

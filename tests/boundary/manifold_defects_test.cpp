@@ -114,6 +114,28 @@ TEST(ManifoldDefects, HigherLinksAreRefutedByHomology) {
       {{link, {7, 9}, "a torus"}, {link, {7, 10}, "a torus"}, {link, {8, 9}, "a torus"}, {link, {8, 10}, "a torus"}});
 }
 
+/// The Poincaré sphere is no sphere, but its homology cannot tell and no collapse can exist: neither yes nor no.
+TEST(ManifoldDefects, LinksOfTheRightHomologyThatNoCollapseProvesAreUnproved) {
+  using namespace meshes;
+  constexpr auto unproved = DefectKind::unproved;
+  const SimplexList P = poincare_sphere();
+  const ManifoldReport report =
+      expect_defects<4>(suspension(P), {{unproved, {16}, "sphere"}, {unproved, {17}, "sphere"}}, Verdict::unproved);
+  EXPECT_TRUE(report.pure && report.closed && report.orientable);
+  expect_defects<4>(cone(P), {{unproved, {16}, "sphere"}}, Verdict::unproved);
+  // The apexes of a double suspension are faces of the unproved edges, whose homology is that of a sphere again.
+  expect_defects<5>(suspension(suspension(P)),
+                    {{unproved, {16, 18}, "sphere"},
+                     {unproved, {16, 19}, "sphere"},
+                     {unproved, {17, 18}, "sphere"},
+                     {unproved, {17, 19}, "sphere"}},
+                    Verdict::unproved);
+  // A defect elsewhere outweighs what is unproved.
+  expect_defects<4>(
+      disjoint_union(suspension(P), suspension(lens_space(3, 1))),
+      {{unproved, {16}, "sphere"}, {unproved, {17}, "sphere"}, {link, {138}, "H_1 = Z_3"}, {link, {139}, "H_1 = Z_3"}});
+}
+
 TEST(ManifoldDefects, OnlyTheHighestDegreeIsReportedWhereOneFollowsFromAnother) {
   // The bad edge (0,1) spoils its vertices too; the pinch at 6 is on its own.
   expect_defects<3>({{0, 1, 2, 3}, {0, 1, 4, 5}, {4, 5, 0, 6}, {6, 7, 8, 9}},

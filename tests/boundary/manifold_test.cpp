@@ -69,6 +69,7 @@ TEST(Manifold, ClosedClassics) {
   expect_closed<4>("T^4", grid_torus(4), {81, 1215, 4050, 4860, 1944});
   expect_closed<4>("CP^2", complex_projective_plane(), {9, 36, 84, 90, 36});
   expect_closed<3>("L(3,1)", lens_space(3, 1), {120, 768, 1296, 648});
+  expect_closed<3>("Poincaré sphere", poincare_sphere(), {16, 106, 180, 90});
   expect_closed<3>("S^2 x S^1", product(sphere(2), sphere(1)), {12, 48, 72, 36});
   expect_closed<4>("S^2 x S^2", product(sphere(2), sphere(2)), {16, 84, 216, 240, 96});
   expect_closed<5>("S^3 x S^2", product(sphere(3), sphere(2)), {});

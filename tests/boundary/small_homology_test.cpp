@@ -29,6 +29,7 @@ TEST(SmallHomology, OfTheClassics) {
   EXPECT_EQ(homology<3>(grid_torus(3)), "H_0 = Z, H_1 = Z^3, H_2 = Z^3, H_3 = Z");
   EXPECT_EQ(homology<4>(complex_projective_plane()), "H_0 = Z, H_1 = 0, H_2 = Z, H_3 = 0, H_4 = Z");
   EXPECT_EQ(homology<3>(lens_space(3, 1)), "H_0 = Z, H_1 = Z_3, H_2 = 0, H_3 = Z");
+  EXPECT_EQ(homology<3>(poincare_sphere()), "H_0 = Z, H_1 = 0, H_2 = 0, H_3 = Z");
   EXPECT_EQ(homology<4>(product(sphere(2), sphere(2))), "H_0 = Z, H_1 = 0, H_2 = Z^2, H_3 = 0, H_4 = Z");
   EXPECT_EQ(homology<3>(product(projective_plane(), path(1))), "H_0 = Z, H_1 = Z_2, H_2 = 0, H_3 = 0");
   EXPECT_EQ(homology<3>(product(klein_bottle(), path(1))), "H_0 = Z, H_1 = Z + Z_2, H_2 = 0, H_3 = 0");

@@ -6,6 +6,14 @@ import subprocess
 from runner import PROGRAM, Case, main, run
 
 MOEBIUS = "0 1 2\n1 2 3\n2 3 4\n3 4 0\n4 0 1\n"
+# The Poincaré sphere (Björner & Lutz 2000): one tetrahedron a word, one vertex a hexadecimal digit.
+POINCARE = """
+    0138 013e 015d 015e 018d 023b 023e 0269 026b 029e 038b 045c 045d 047a 047c 04ad 05ce 0679
+    067a 06ab 079c 08ab 08ad 09ce 1249 124a 1269 126c 12ac 138c 13ac 13ae 147a 147b 149b 159b
+    159d 15be 168c 168d 169d 17ae 17be 234d 234e 23bd 249e 24ad 26bc 2acd 2bcd 3456 345d 346e
+    356a 359a 359d 36ae 378b 378c 379c 379d 37bd 39ac 456c 468c 468e 478b 478c 489b 489e 56ab
+    56bc 59ab 5bce 679d 67ae 67de 68de 7bde 89ab 89af 89ef 8adf 8def 9acf 9cef acdf bcde cdef
+"""
 
 
 class Info(Case):
@@ -113,6 +121,13 @@ class Check(Case):
         flat = self.file("flat.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n3 0 1 2\n3 0 1 3\n")
         report = self.json("check", flat, code=1)
         self.assertEqual([(d["kind"], d["simplex"]) for d in report["defects"]], [("degenerate", [0, 1, 2])])
+
+    def test_suspension_of_the_poincare_sphere_is_unproved(self):
+        rows = [[int(v, 16) for v in word] for word in POINCARE.split()]
+        text = "".join(" ".join(map(str, row + [apex])) + "\n" for apex in (16, 17) for row in rows)
+        report = self.defects(text, [("unproved", [16]), ("unproved", [17])])
+        self.assertEqual(report["counts"]["unproved"], 2)
+        self.assertEqual(self.json("info", self.file("suspension.facets", text))["manifold"], "unproved")
 
     def test_at_most_twenty_of_a_kind(self):
         bow_ties = "".join(f"{5*i} {5*i+1} {5*i+2}\n{5*i} {5*i+3} {5*i+4}\n" for i in range(30))

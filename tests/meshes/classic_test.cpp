@@ -21,6 +21,7 @@ TEST(Classics, HaveTheKnownCounts) {
   EXPECT_EQ(f_vector(meshes::moebius_strip()), (Counts{5, 10, 5}));
   EXPECT_EQ(f_vector(meshes::annulus()), (Counts{6, 12, 6}));
   EXPECT_EQ(f_vector(meshes::complex_projective_plane()), (Counts{9, 36, 84, 90, 36}));
+  EXPECT_EQ(f_vector(meshes::poincare_sphere()), (Counts{16, 106, 180, 90}));
   EXPECT_EQ(f_vector(meshes::grid_torus(3)), (Counts{27, 189, 324, 162}));
   EXPECT_EQ(f_vector(meshes::grid_torus(4)), (Counts{81, 1215, 4050, 4860, 1944}));
 }

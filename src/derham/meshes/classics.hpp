@@ -25,6 +25,10 @@ namespace derham::meshes {
 /// CP^2 on 9 vertices: f = (9, 36, 84, 90, 36), β = (1, 0, 1, 0, 1).
 /// Source   Kühnel & Banchoff, "The 9-vertex complex projective plane", 1983
 [[nodiscard]] SimplexList complex_projective_plane();
+/// The Poincaré sphere on 16 vertices: f = (16, 106, 180, 90), the homology of S^3 but another fundamental group.
+/// Source   Björner & Lutz, "Simplicial manifolds, bistellar flips and a 16-vertex triangulation of the Poincaré
+///          homology 3-sphere", 2000
+[[nodiscard]] SimplexList poincare_sphere();
 /// The lens space L(p, q), p >= 1: the barycentric subdivision of the join of two 3p-gons modulo the rotation by 3 and
 /// 3q steps; H_1 = Z_p. L(3, 1) has f = (120, 768, 1296, 648).
 /// Throws   InputError unless p >= 1 and gcd(p, q) = 1
