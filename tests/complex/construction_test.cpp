@@ -1,11 +1,16 @@
 // The library's complex against the reference's, bit for bit, on random input.
+#include "derham/complex/construction.hpp"
 #include "derham/complex/simplicial_complex.hpp"
+#include "derham/core/error.hpp"
 #include "support/compare_with_reference.hpp"
 #include "support/random_rows.hpp"
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace derham {
 namespace {
@@ -88,6 +93,27 @@ TYPED_TEST(Construction, EmptyInput) {
     EXPECT_EQ(K->euler_characteristic(), 0);
     EXPECT_FALSE(K->find({0}));
     EXPECT_EQ(incidence(*K, dimension, 0).rows(), 0);
+  }
+}
+
+TEST(AccumulateCounts, GivesEndsAndRefusesListsThatDoNotFitTheIndex) {
+  std::vector<Index> counts{0, 3, 0, 4};
+  EXPECT_EQ(accumulate_counts(counts, 1), 7);
+  EXPECT_EQ(counts, (std::vector<Index>{0, 3, 3, 7}));
+  EXPECT_EQ(accumulate_counts({}, 1), 0);
+  counts = {0, 3, 0, 4};
+  EXPECT_EQ(accumulate_counts(counts, 1, 7), 7);
+  counts = {0, 3, 0, 4};
+  EXPECT_THROW((void)accumulate_counts(counts, 1, 6), LimitError);
+  constexpr Index largest = std::numeric_limits<Index>::max();
+  counts = {0, largest - 1, 1};
+  EXPECT_EQ(accumulate_counts(counts, 2), largest);
+  counts = {0, largest, 1};
+  try {
+    (void)accumulate_counts(counts, 2);
+    FAIL() << "no error";
+  } catch (const LimitError& error) {
+    EXPECT_NE(std::string_view(error.what()).find("simplices of degree 2"), std::string_view::npos) << error.what();
   }
 }
 

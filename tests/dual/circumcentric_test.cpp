@@ -71,14 +71,18 @@ TYPED_TEST(Circumcentric, VolumesAreInvariantUnderRelabellingAndScale) {
 
 TYPED_TEST(Circumcentric, LengthsGiveWhatPositionsGive) {
   constexpr int n = TypeParam::value;
-  const MeshData mesh = meshes::box(n, 2, {.jitter = 0.5 / n});
-  const SimplicialComplex<n> K(mesh.simplices);
-  const auto g = Geometry<n>::from_mesh(K, mesh);
-  auto squares = primal_volumes(K, g)[1];
-  for (double& x : squares) x *= x;
-  const auto a = dual_volumes(K, g), b = dual_volumes(K, Geometry<n>::from_squared_lengths(K, squares));
-  for (int k = 0; k <= n; ++k)
-    for (Index i = 0; i < K.size(k); ++i) EXPECT_NEAR(a[k][i], b[k][i], 1e-10);
+  const meshes::BoxOptions options{.jitter = 0.5 / n};
+  for (const MeshData& mesh : {meshes::box(n, 2, options), meshes::periodic_box(n, 3, options)}) {
+    const SimplicialComplex<n> K(mesh.simplices);
+    const auto g = Geometry<n>::from_mesh(K, mesh);
+    ASSERT_EQ(g.source(), mesh.has_corners() ? MetricSource::corners : MetricSource::points);
+    const auto lengths = Geometry<n>::from_squared_lengths(K, squared_lengths(K, g));
+    const auto a = dual_volumes(K, g), b = dual_volumes(K, lengths);
+    for (int k = 0; k <= n; ++k)
+      for (Index i = 0; i < K.size(k); ++i) EXPECT_NEAR(a[k][i], b[k][i], 1e-10);
+    const auto before = squared_lengths(K, g), after = squared_lengths(K, lengths);
+    for (Index e = 0; e < K.size(1); ++e) EXPECT_NEAR(before[e], after[e], 1e-14);
+  }
 }
 
 TEST(Circumcentric, IdentityOnCurvedManifolds) {

@@ -121,7 +121,7 @@ TEST(Form, RefusesWrongLengthsAndForeignComplexes) {
   EXPECT_THROW((void)pair(Form<2, 1>(K), Chain<2, 1>(L)), InputError);
 }
 
-TEST(Form, TheFluxOfAClosedFormThroughEveryTopSimplexIsZero) {
+TEST(FundamentalChain, HasTheOrientedRimAsBoundaryBecauseInteriorFacetsCancel) {
   // dd = 0 would hold with any signs in the top degree; that each interior facet cancels needs the orientation of the
   // tops
   const SimplicialComplex<2> K(SimplexList{{0, 1, 4}, {4, 2, 1}, {2, 3, 4}, {4, 0, 3}});

@@ -7,7 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace derham {
 namespace {
@@ -71,6 +74,44 @@ TEST(Quality, InvertedSimplicesAreListedNotBelieved) {
     const auto s = K.simplex(3, t);
     EXPECT_TRUE(std::find(s.begin(), s.end(), v) != s.end());
   }
+}
+
+// The same vertex pushed by 3/2 of an edge: in units of 1/6 all coordinates are whole, and so are the determinants.
+TEST(Quality, SixOfTheKuhnTetrahedraInvertWhenAVertexIsPushedOut) {
+  MeshData mesh = meshes::box(3, 3);
+  using Point = std::array<long, 3>;
+  std::vector<Point> before, after;
+  for (std::size_t i = 0; i < mesh.points.size(); i += 3)
+    before.push_back(
+        {std::lround(6 * mesh.points[i]), std::lround(6 * mesh.points[i + 1]), std::lround(6 * mesh.points[i + 2])});
+  after = before;
+  const auto pushed = static_cast<std::size_t>(std::ranges::find(before, Point{2, 2, 2}) - before.begin());
+  ASSERT_LT(pushed, before.size());
+  after[pushed] = {5, 2, 2};
+  mesh.points[3 * pushed] = 5. / 6;
+  const auto determinant = [](const std::vector<Point>& points, std::span<const Index> tet) {
+    std::array<Point, 3> e;
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t axis = 0; axis < 3; ++axis) e[j][axis] = points[tet[j + 1]][axis] - points[tet[0]][axis];
+    return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+           e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  };
+
+  SimplicialComplex<3> K(mesh.simplices);
+  ASSERT_EQ(K.size(3), 162);
+  std::vector<Index> inverted;
+  std::vector<int> about(static_cast<std::size_t>(K.size(2)), 0);  // inverted cofaces of each face
+  for (Index t = 0; t < K.size(3); ++t) {
+    if (determinant(before, K.simplex(3, t)) * determinant(after, K.simplex(3, t)) >= 0) continue;
+    inverted.push_back(t);
+    for (const Index face : K.faces(3, t)) ++about[static_cast<std::size_t>(face)];
+  }
+  EXPECT_EQ(inverted.size(), 6U);
+  EXPECT_EQ(std::ranges::count(about, 1), 12) << "faces that would not cancel if these signs were believed";
+
+  const auto g = Geometry<3>::from_mesh(K, mesh);
+  orient_by_volume(K, g);
+  EXPECT_EQ(quality(K, g).inverted, inverted);
 }
 
 TEST(Quality, NoInvertedSimplicesOnSurfacesAndSoundMeshes) {

@@ -85,5 +85,13 @@ TEST(Orientation, SurfacesInSpaceKeepTheOrderOfTheirFirstTuple) {
   EXPECT_THROW((void)signed_volumes(K, g), GeometryError);
 }
 
+TEST(Volumes, SquaredLengthsFollowTheOrderOfTheEdges) {
+  const SimplicialComplex<2> K(SimplexList{{3, 1, 0}, {0, 1, 2}});
+  const auto g = Geometry<2>::from_points(K, {0, 0, 3, 0, 0, 4, 1, -1}, 2);
+  EXPECT_EQ(squared_lengths(K, g), (std::vector<double>{9, 16, 2, 25, 5}));  // (0,1) (0,2) (0,3) (1,2) (1,3)
+  const SimplicialComplex<2> other(SimplexList{{0, 1, 2}});
+  EXPECT_THROW((void)squared_lengths(other, g), InputError);
+}
+
 }  // namespace
 }  // namespace derham

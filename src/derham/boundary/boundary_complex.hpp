@@ -20,7 +20,7 @@ struct BoundaryComplex {
 
 /// The closure of the facets with exactly one coface, oriented as the boundary of K; the empty complex if there is
 /// none. A non-orientable K induces no orientation: then the boundary, if orientable, is coherent by itself, each
-/// component with the sign of its first facet as K's representatives give it.
+/// component with the sign that the representative of a top simplex of K induces on its first facet.
 /// Law      the image of its fundamental chain is the boundary of the fundamental chain of K (n >= 2, K orientable)
 /// Cost     linear
 /// Throws   TopologyError if K is not pure

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <numeric>
 
 namespace derham {
@@ -73,6 +72,18 @@ void load(UpperLink<n>& link, const RecordSet<n>& records, Index v) {
 }
 
 }  // namespace
+
+Offset accumulate_counts(std::span<Index> counts, int k, Offset limit) {
+  Offset total = 0;
+  for (Index& end : counts) {
+    if (end > limit - total)
+      throw LimitError(text("there are more than ", limit, " simplices of degree ", k,
+                            ", which do not fit the index type; build derham with DERHAM_INDEX64=ON"));
+    total += end;
+    end = static_cast<Index>(total);
+  }
+  return total;
+}
 
 Index find_in_bucket(std::span<const Index> simplices, std::span<const Index> order, Index begin, Index end,
                      std::span<const Index> tuple) noexcept {
@@ -193,14 +204,7 @@ void ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const SimplexList& r
       });
     }
     for (int k = 1; k < n; ++k) {
-      Offset total = 0;
-      for (Index& end : K.buckets_[k]) {
-        total += end;
-        if (total > std::numeric_limits<Index>::max())
-          throw LimitError(text("there are more than ", std::numeric_limits<Index>::max(), " simplices of degree ", k,
-                                ", which do not fit the index type; build derham with DERHAM_INDEX64=ON"));
-        end = static_cast<Index>(total);
-      }
+      const Offset total = accumulate_counts(K.buckets_[k], k);
       K.simplices_[k].resize(static_cast<std::size_t>(total) * static_cast<std::size_t>(k + 1));
       if (k >= 2) K.faces_[k].resize(K.simplices_[k].size());
     }

@@ -2,6 +2,7 @@
 
 #include "derham/complex/simplicial_complex.hpp"
 
+#include <limits>
 #include <span>
 
 namespace derham {
@@ -27,6 +28,10 @@ class ComplexBuilder {
                              Index top);
   static void fill_last_faces(SimplicialComplex<n>& K, int k);
 };
+
+/// Turns counts into ends: each becomes the sum up to and with it. Returns the last, the size of a list of k-simplices.
+/// Throws   LimitError if that exceeds `limit`
+Offset accumulate_counts(std::span<Index> counts, int k, Offset limit = std::numeric_limits<Index>::max());
 
 /// Finds the k-simplex with the sorted vertices `tuple` between `begin` and `end` of the lexicographic list `simplices`
 /// (k+1 ids a row, all with the right first vertex), through `order` if the list itself is not sorted. -1 if absent.

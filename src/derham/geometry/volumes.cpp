@@ -39,6 +39,28 @@ ByDegree<n> primal_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geo
 }
 
 template <int n>
+  requires(n >= 1)
+std::vector<double> squared_lengths(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
+  geometry.require_fits(K);
+  std::vector<double> squares(static_cast<std::size_t>(K.size(1)));
+  for (Index t = 0; t < K.size(n); ++t) {
+    const auto index = face_indices(K, t);
+    const auto corners = geometry.corners(K, t);
+    for_each_mask<n>([&]<unsigned mask>() {
+      if constexpr (mask_degree(mask) == 1) {
+        constexpr auto ends = mask_vertices<mask>();
+        const double *a = corners[static_cast<std::size_t>(ends[0])], *b = corners[static_cast<std::size_t>(ends[1])];
+        double sum = 0;
+        for (int axis = 0; axis < geometry.coordinate_dimension(); ++axis)
+          sum += (b[axis] - a[axis]) * (b[axis] - a[axis]);
+        squares[static_cast<std::size_t>(index[mask])] = sum;
+      }
+    });
+  }
+  return squares;
+}
+
+template <int n>
 double total_volume(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
   double sum = 0;
   for_each_metric(K, geometry, [&](Index, const SimplexMetric<n>& metric) { sum += metric.volume[full_mask<n>]; });
@@ -73,5 +95,9 @@ DERHAM_INSTANTIATE(2)
 DERHAM_INSTANTIATE(3)
 DERHAM_INSTANTIATE(4)
 #undef DERHAM_INSTANTIATE
+template std::vector<double> squared_lengths<1>(const SimplicialComplex<1>&, const Geometry<1>&);
+template std::vector<double> squared_lengths<2>(const SimplicialComplex<2>&, const Geometry<2>&);
+template std::vector<double> squared_lengths<3>(const SimplicialComplex<3>&, const Geometry<3>&);
+template std::vector<double> squared_lengths<4>(const SimplicialComplex<4>&, const Geometry<4>&);
 
 }  // namespace derham

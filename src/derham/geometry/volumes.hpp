@@ -19,6 +19,15 @@ using ByDegree = std::array<std::vector<double>, n + 1>;
 template <int n>
 [[nodiscard]] ByDegree<n> primal_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
 
+/// Squared edge lengths, as Geometry::from_squared_lengths takes them: shape (|E|,), of an edge between corners that of
+/// the last top simplex it belongs to.
+/// Units    length^2
+/// Cost     one pass over the top simplices
+/// Throws   InputError unless the geometry was made for K
+template <int n>
+  requires(n >= 1)
+[[nodiscard]] std::vector<double> squared_lengths(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
+
 /// |M|: the sum of the volumes of the top simplices. Units length^n.
 template <int n>
 [[nodiscard]] double total_volume(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
