@@ -27,9 +27,7 @@ TEST(Types, Factorials) {
   EXPECT_EQ(factorial(7), 5040);
 }
 
-TEST(Text, WritesItsPartsOneAfterTheOther) {
-  EXPECT_EQ(text("row ", Offset{3}, ": ", 0.5, 'x'), "row 3: 0.5x");
-}
+TEST(Text, WritesItsPartsOneAfterTheOther) { EXPECT_EQ(text("row ", Offset{3}, ": ", 0.5, 'x'), "row 3: 0.5x"); }
 
 TEST(Text, Tuples) {
   EXPECT_EQ(tuple_text(std::span<const Index>()), "()");

@@ -52,7 +52,7 @@ inline Rows shuffled(Rows rows, Random& random) {
 }
 
 /// `size` distinct ids of [low, high).
-inline std::vector<Index> subset(int size, Index low, Index high, Random& random) {
+inline std::vector<Index> subset(int size, int low, int high, Random& random) {
   std::set<Index> chosen;
   while (static_cast<int>(chosen.size()) < size) chosen.insert(uniform(random, low, high - 1));
   return {chosen.begin(), chosen.end()};
@@ -120,7 +120,7 @@ inline Rows random_components(int n, int components, Random& random) {
 /// A vertex with exactly `upper` neighbours of larger and three of smaller id, and as many n-simplices (n >= 2) without
 /// it. Ids are not renumbered: the hub is vertex 3.
 inline Rows hub(int n, int upper, Random& random) {
-  const Index centre = 3, bound = centre + 1 + upper;
+  const int centre = 3, bound = centre + 1 + upper;
   std::set<std::set<Index>> unique;
   const auto add = [&](std::set<Index> row, Index forbidden) {
     while (static_cast<int>(row.size()) < n + 1)
