@@ -113,6 +113,42 @@ class Operators(Case):
             a, b = file.read_bytes(), (self.directory / "b" / file.name).read_bytes()
             if not file.name.startswith("star"):
                 self.assertEqual(a, b, file.name)
+        self.same_stars(read(self.directory / "a")[4], read(self.directory / "b")[4])
+
+    def same_stars(self, a, b):
+        self.assertEqual(len(a), len(b))
+        for k, (one, other) in enumerate(zip(a, b)):
+            self.assertEqual(one.shape, other.shape)
+            self.assertLess(abs(one - other).max() / abs(one).max(), 1e-12, f"star{k}")
+
+    def test_any_order_of_the_corners_of_a_surface_changes_only_the_sign_of_components(self):
+        sphere = self.generate("sphere.off", "sphere", "--level", 1).read_text().split("\n")
+        points, rows = sphere[2:44], [line.split()[1:] for line in sphere[44:124]]
+        far = [" ".join([str(float(line.split()[0]) + 5)] + line.split()[1:]) for line in points]
+        two = rows + [[str(int(v) + 42) for v in row] for row in rows]
+        for components, positions, tuples in ((1, points, rows), (2, points + far, two)):
+            for shift in range(3):
+                with self.subTest(components=components, shift=shift):
+                    orders = list(itertools.permutations(range(3)))  # even, odd, odd, even, even, odd
+                    other = [[row[j] for j in orders[(5 * i + shift + i // 80) % 6]] for i, row in enumerate(tuples)]
+                    found = []
+                    for name, triangles in (("a", tuples), ("b", other)):
+                        text = f"OFF\n{len(positions)} {len(triangles)} 0\n" + "\n".join(positions) + "\n"
+                        mesh = self.file(f"{name}.off", text + "".join(f"3 {' '.join(row)}\n" for row in triangles))
+                        out = self.directory / f"{components} {shift} {name}"
+                        self.assertEqual(run("operators", mesh, "--out", out)[0], 0)
+                        found.append(read(out))
+                    (simplices, signs, d, boundary, star), (simplices_b, signs_b, d_b, boundary_b, star_b) = found
+                    self.assertEqual(simplices, simplices_b)
+                    self.assertEqual((d[0] != d_b[0]).nnz, 0)
+                    self.assertEqual((boundary[1] != boundary_b[1]).nnz, 0)
+                    flips = [set(signs[80 * c:80 * (c + 1)] * signs_b[80 * c:80 * (c + 1)]) for c in range(components)]
+                    self.assertTrue(all(len(flip) == 1 for flip in flips), flips)
+                    flip = sp.diags(np.repeat([int(f.pop()) for f in flips], 80))
+                    self.assertEqual(abs(boundary[2] @ flip - boundary_b[2]).sum(), 0)
+                    self.assertEqual(abs(flip @ d[1] - d_b[1]).sum(), 0)
+                    self.assertEqual(signs_b[0] != signs[0], shift in (1, 2), "the first row is reflected")
+                    self.same_stars(star, star_b)
 
 
 if __name__ == "__main__":
