@@ -181,6 +181,10 @@ TEST(DualCell, Refusals) {
   EXPECT_THROW((void)DualCells<4>(K, g, 0).cell(0), InputError);
   EXPECT_NO_THROW((void)DualCells<4>(K, g, 1).cell(0));
   EXPECT_THROW((void)DualCells<4>(K, g, 5), InputError);
+  for (const Index i : {Index{-1}, K.size(2)}) {
+    EXPECT_THROW((void)DualCells<4>(K, g, 2).cell(i), InputError);
+    EXPECT_THROW((void)DualCells<4>(K, g, 2).flags(i), InputError);
+  }
   const SimplicialComplex<2> three(SimplexList{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
   const auto h = Geometry<2>::from_points(three, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0}, 3);
   EXPECT_THROW((void)DualCells<2>(three, h, 0).cell(0), TopologyError);

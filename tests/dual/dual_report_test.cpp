@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <vector>
 
 namespace derham {
 namespace {
@@ -69,6 +72,31 @@ TEST(DualReport, CocircularIsWeaklyDelaunay) {
     const auto report = dual_report(K, Geometry<2>::from_mesh(K, mesh));
     EXPECT_EQ(report.star[1].zero, std::vector<Index>{0});
     EXPECT_TRUE(report.pairwise_delaunay);
+  }
+}
+
+// A power of two changes no digit, so every star that doubles can hold is that of the mesh itself, scaled.
+TEST(DualReport, AtExtremeScalesStarsAreRightOrUndefined) {
+  const MeshData mesh = meshes::box(3, 2, {.jitter = 0.1});
+  const SimplicialComplex<3> K(mesh.simplices);
+  const auto plain = dual_report(K, Geometry<3>::from_mesh(K, mesh));
+  for (const int exponent : {-600, -360, -300, 300, 400, 600}) {
+    std::vector<double> points = mesh.points;
+    for (double& x : points) x = std::ldexp(x, exponent);
+    const auto g = Geometry<3>::from_points(K, points, 3);
+    const auto report = dual_report(K, g);
+    EXPECT_TRUE(report.degenerate.empty()) << exponent;
+    for (int k = 0; k <= 3; ++k) {
+      // D(σ) has size 2^(e(3-k)), |σ| has 2^(ek); both and their ratio must be normal numbers.
+      const int largest = std::abs(exponent) * std::max({3 - k, k, std::abs(3 - 2 * k)});
+      if (largest < 980) {
+        EXPECT_EQ(report.star[k].undefined, 0) << exponent << ' ' << k;
+        EXPECT_EQ(report.star[k].min, std::ldexp(plain.star[k].min, exponent * (3 - 2 * k))) << exponent << ' ' << k;
+        EXPECT_EQ(report.star[k].negative, plain.star[k].negative) << exponent << ' ' << k;
+      } else if (largest > 1060 && plain.star[k].zero.empty()) {
+        EXPECT_EQ(report.star[k].undefined, K.size(k)) << exponent << ' ' << k;
+      }
+    }
   }
 }
 

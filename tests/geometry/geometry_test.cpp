@@ -131,5 +131,17 @@ TEST(Geometry, PointsAndEmptyComplex) {
   EXPECT_NO_THROW((void)Geometry<3>::from_points(empty, {}, 3));
 }
 
+// Cells of 0.25 and coordinates of 1e6: the coordinates' own rounding is 1e-9 of the squared lengths.
+TEST(Geometry, CornersFarFromTheOriginMayDifferByTheirRounding) {
+  const MeshData mesh = test::moved(meshes::periodic_box(2, 4), 2, 0.25, 1e6, 1);
+  const SimplicialComplex<2> K(mesh.simplices);
+  EXPECT_NO_THROW((void)Geometry<2>::from_mesh(K, mesh));
+  MeshData wrong = mesh;
+  wrong.corners[0] += 1e-4;
+  const auto what = message<GeometryError>([&] { (void)Geometry<2>::from_mesh(K, wrong); });
+  const auto digits = what.find("squared length 0.") + std::string("squared length 0.").size();
+  EXPECT_GE(what.find_first_not_of("0123456789", digits) - digits, 15u) << what;
+}
+
 }  // namespace
 }  // namespace derham

@@ -118,6 +118,19 @@ TEST(Hodge, RefusesFlatSimplicesByName) {
   }
 }
 
+TEST(Hodge, RefusesEntriesOutOfTheRangeOfDoublesByName) {
+  const SimplicialComplex<3> K(SimplexList{{0, 1, 2, 3}});
+  for (const double s : {1e-110, 1e120}) {
+    try {
+      (void)HodgeStar<3>(K, Geometry<3>::from_points(K, {0, 0, 0, s, 0, 0, 0, s, 0, 0, 0, s}, 3));
+      FAIL() << s;
+    } catch (const GeometryError& error) {
+      EXPECT_NE(std::string(error.what()).find("0-simplex 0"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("range of doubles"), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(Hodge, RefusesFormsOfOtherComplexesAndWrongDegrees) {
   const Space<2> a(meshes::box(2, 2)), b(meshes::box(2, 2));
   EXPECT_THROW((void)a.star(PrimalForm<2, 1>(b.K)), InputError);

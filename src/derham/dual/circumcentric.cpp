@@ -32,6 +32,12 @@ constexpr void for_each_coface(Body&& body) {
   });
 }
 
+// x * unit^power, NaN where that is out of the range of doubles.
+double in_range(double x, double unit, int power) {
+  const double result = in_units(x, unit, power);
+  return x == 0 || std::isnormal(result) ? result : std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
 template <int n>
@@ -53,7 +59,8 @@ CircumcentricDual<n> circumcentric_dual(const SimplicialComplex<n>& K, const Geo
       result.degenerate.push_back(t);
       continue;
     }
-    FaceArray<n, double> share, error;
+    const double rounding = roundoff / metric.unit;
+    FaceArray<n, double> share, error;  // in units
     share[full_mask<n>] = 1;
     error[full_mask<n>] = 0;
     for_each_mask<n>([&]<unsigned mask>() {
@@ -61,18 +68,18 @@ CircumcentricDual<n> circumcentric_dual(const SimplicialComplex<n>& K, const Geo
       if constexpr (k < n) {
         double sum = 0, sum_error = 0;
         for_each_coface<n, mask>([&]<unsigned coface, int v>() {
-          const double smallest = zero_tolerance * metric.radius[coface] + roundoff;
+          const double smallest = zero_tolerance * metric.radius[coface] + rounding;
           double h = metric.height[coface][v];
           if (std::abs(h) <= smallest) h = 0;
-          const double h_error = zero_tolerance * std::abs(h) + roundoff;
+          const double h_error = zero_tolerance * std::abs(h) + rounding;
           sum += h * share[coface];
           sum_error += h_error * (std::abs(share[coface]) + error[coface]) + std::abs(h) * error[coface];
           result.well_centered = result.well_centered && h > 0;
         });
         share[mask] = sum / (n - k);
         error[mask] = sum_error / (n - k);
-        result.dual[k][index[mask]] += share[mask];
-        uncertainty[k][index[mask]] += error[mask];
+        result.dual[k][index[mask]] += in_range(share[mask], metric.unit, n - k);
+        uncertainty[k][index[mask]] += in_units(error[mask], metric.unit, n - k);
       } else {
         result.dual[n][t] = 1;
       }
@@ -80,7 +87,11 @@ CircumcentricDual<n> circumcentric_dual(const SimplicialComplex<n>& K, const Geo
   }
   for (int k = 0; k < n; ++k)
     for (std::size_t i = 0; i < result.dual[k].size(); ++i)
-      if (std::abs(result.dual[k][i]) <= uncertainty[k][i]) result.dual[k][i] = 0;
+      if (!std::isfinite(result.dual[k][i])) {
+        result.dual[k][i] = std::numeric_limits<double>::quiet_NaN();
+      } else if (std::abs(result.dual[k][i]) <= uncertainty[k][i]) {
+        result.dual[k][i] = 0;
+      }
   for (const Index t : result.degenerate) {
     const auto index = face_indices(K, t);
     for (unsigned mask = 1; mask <= full_mask<n>; ++mask)
@@ -96,6 +107,12 @@ ByDegree<n> dual_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geome
   if (!result.degenerate.empty())
     throw GeometryError(text("dual volumes do not exist: ", result.degenerate.size(), " flat top simplices: ",
                              simplices_text<n>(K, n, result.degenerate), "; move their vertices or remove them"));
+  for (int k = 0; k <= n; ++k)
+    for (Index i = 0; i < K.size(k); ++i)
+      if (std::isnan(result.dual[k][i]))
+        throw GeometryError(
+            text("the dual volume of ", simplex_text(K, k, i),
+                 " is out of the range of doubles; scale the mesh so that edge lengths are closer to 1"));
   return std::move(result.dual);
 }
 
@@ -163,7 +180,8 @@ ByDegree<n> barycentric_dual_volumes(const SimplicialComplex<n>& K, const Geomet
     const auto corner = metric.coordinates();
     const auto index = face_indices(K, t);
     for (unsigned mask = 1; mask <= full_mask<n>; ++mask)
-      result[mask_degree(mask)][index[mask]] += barycentric_share<n>(corner, mask, chain);
+      result[mask_degree(mask)][index[mask]] +=
+          in_units(barycentric_share<n>(corner, mask, chain), metric.unit, n - mask_degree(mask));
   }
   return result;
 }

@@ -17,7 +17,7 @@ namespace derham {
 /// What rounding could explain is exactly 0: a height h of at most 1e-10 of the circumradius of σ^{k+1}, and a sum that
 /// could vanish if every h were wrong by 1e-10 of itself, in both cases plus 16 ulp of the coordinates. So a right-angled
 /// mesh keeps its zeros under every rigid motion and scaling. NaN marks the simplices of degenerate top simplices, whose
-/// dual cells do not exist.
+/// dual cells do not exist, and volumes out of the range of doubles.
 template <int n>
 struct CircumcentricDual {
   ByDegree<n> primal;             ///< [k] (|K_k|,) volumes; units length^k
@@ -34,13 +34,15 @@ template <int n>
 
 /// The signed dual volumes, [k] (|K_k|,), units length^(n-k).
 /// Law      Σ |σ^k| D(σ^k) = C(n,k) |M| for every k, on every mesh
-/// Throws   GeometryError naming the degenerate top simplices, if there are any
+/// Throws   GeometryError naming the degenerate top simplices, if there are any, or a simplex whose dual volume is out of
+///          the range of doubles
 template <int n>
 [[nodiscard]] ByDegree<n> dual_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
 
 /// Volumes of the barycentric dual cells: the cells whose corners are barycentres. All positive, even where simplices
 /// are flat. Use them for k = 0 and k = n only: for 0 < k < n these cells are not orthogonal to their simplices, and
-/// the diagonal star made of them does not converge. Law      Σ |σ^k| D(σ^k) = C(n,k) |M| for k = 0 and k = n only
+/// the diagonal star made of them does not converge.
+/// Law      Σ |σ^k| D(σ^k) = C(n,k) |M| for k = 0 and k = n only
 template <int n>
 [[nodiscard]] ByDegree<n> barycentric_dual_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
 

@@ -37,7 +37,7 @@ class TopAround {
     for (int v = 0; v <= n; ++v)
       if ((mask >> v) & 1U) points.insert(points.end(), corner[v], corner[v] + d);
     try {
-      return circumcenter(points, mask_degree(mask), d).point;
+      return circumcenter(points, mask_degree(mask), d, geometry_->relative_flatness()).point;
     } catch (const GeometryError&) {
       throw GeometryError(simplex_text(*complex_, mask_degree(mask), index_[mask]) +
                           " is flat, so the dual cells around it do not exist");
@@ -119,7 +119,16 @@ DualCells<n>::DualCells(const SimplicialComplex<n>& K, const Geometry<n>& geomet
 }
 
 template <int n>
+void DualCells<n>::require_index(Index i) const {
+  const Index size = complex_->size(degree_);
+  if (i < 0 || i >= size)
+    throw InputError(text("the dual cell of ", degree_, "-simplex ", i, "; the complex has ", size, " ", degree_,
+                          "-simplices, numbered from 0"));
+}
+
+template <int n>
 std::vector<DualFlag> DualCells<n>::flags(Index i) const {
+  require_index(i);
   const int d = geometry_->coordinate_dimension();
   std::vector<double> scratch(static_cast<std::size_t>(n * d));
   std::vector<DualFlag> result;
@@ -146,7 +155,7 @@ std::vector<DualFlag> DualCells<n>::flags(Index i) const {
       for (std::size_t j = 0; j < order.size(); ++j) {
         mask |= 1U << order[j];
         add();
-        flag.signed_volume *= metric.height[mask][order[j]] / static_cast<double>(j + 1);
+        flag.signed_volume *= metric.height[mask][order[j]] / static_cast<double>(j + 1) * metric.unit;
       }
       result.push_back(std::move(flag));
     } while (std::next_permutation(order.begin(), order.end()));
@@ -156,6 +165,7 @@ std::vector<DualFlag> DualCells<n>::flags(Index i) const {
 
 template <int n>
 DualCell DualCells<n>::cell(Index i) const {
+  require_index(i);
   DualCell result;
   result.dimension = n - degree_;
   if (result.dimension > 3)

@@ -36,15 +36,17 @@ class DualCells {
 
   /// All flags of the dual cell of k-simplex i, (n-k)! for every top simplex around it.
   /// Law      their signed volumes sum to the dual volume
-  /// Throws   GeometryError naming a flat simplex
+  /// Throws   InputError unless 0 <= i < |K_k|; GeometryError naming a flat simplex
   [[nodiscard]] std::vector<DualFlag> flags(Index i) const;
 
   /// The dual cell of k-simplex i as points, polylines and polygons, for n-k <= 3.
-  /// Throws   InputError for n-k > 3; TopologyError naming a facet of more than two top simplices; GeometryError naming
+  /// Throws   InputError for n-k > 3 and unless 0 <= i < |K_k|; TopologyError naming a facet of more than two top simplices; GeometryError naming
   ///          a flat simplex
   [[nodiscard]] DualCell cell(Index i) const;
 
  private:
+  void require_index(Index i) const;
+
   const SimplicialComplex<n>* complex_;
   const Geometry<n>* geometry_;
   int degree_;

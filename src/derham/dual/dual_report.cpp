@@ -17,11 +17,12 @@ DualReport dual_report(const SimplicialComplex<n>& K, const CircumcentricDual<n>
     verdict.min = std::numeric_limits<double>::quiet_NaN();
     for (Index i = 0; i < K.size(k); ++i) {
       const double volume = dual.dual[k][i];
-      if (std::isnan(volume)) {
+      const double star = volume / dual.primal[k][i];
+      if (!std::isfinite(star)) {
         ++verdict.undefined;
         continue;
       }
-      verdict.min = std::fmin(verdict.min, volume / dual.primal[k][i]);
+      verdict.min = std::fmin(verdict.min, star);
       if (volume == 0) verdict.zero.push_back(i);
       if (volume < 0) verdict.negative.push_back(i);
     }

@@ -12,15 +12,18 @@ struct StarVerdict {
   double min = 0;               ///< of the defined entries, NaN if there is none; units length^(n-2k)
   std::vector<Index> zero;      ///< simplices whose dual volume is zero: no inverse there
   std::vector<Index> negative;  ///< simplices whose dual volume is negative: not a positive definite mass
-  Index undefined = 0;          ///< simplices of a degenerate top simplex, which have no dual cell
+  /// Simplices of a degenerate top simplex, which have no dual cell, and entries out of the range of doubles; in no list.
+  Index undefined = 0;
 };
 
 struct DualReport {
   std::vector<StarVerdict> star;  ///< (n+1,) by degree
   /// Every facet with two top simplices has a non-negative dual length: the mesh is Delaunay in the weak sense
-  /// (cospherical neighbours count). Facets of degenerate top simplices make it false.
+  /// (cospherical neighbours count). Facets whose dual length is undefined, as those of degenerate top simplices, make
+  /// it false.
   bool pairwise_delaunay = true;
-  /// The same for the facets with one top simplex: no circumcentre lies beyond the boundary.
+  /// The same for the facets with one top simplex: no circumcentre lies beyond the boundary. Here, too, facets whose
+  /// dual length is undefined make it false.
   bool one_sided = true;
   /// Every simplex of every degree contains its circumcentre in its interior; then all stars are positive.
   bool well_centered = true;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -46,22 +47,31 @@ double squared_distance(const double* a, const double* b, int d) {
 template <int n>
 void require_consistent(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
   constexpr double tolerance = 1e-9;
-  std::vector<double> squares(static_cast<std::size_t>(K.size(1)), -1);
+  struct Known {
+    double square = -1, roundoff = 0;
+  };
+  std::vector<Known> edges(static_cast<std::size_t>(K.size(1)));
   for (Index t = 0; t < K.size(n); ++t) {
     const auto index = face_indices(K, t);
     const auto corner = geometry.corners(K, t);
+    const double here = geometry.roundoff(corner);
     for (int a = 0; a <= n; ++a)
       for (int b = a + 1; b <= n; ++b) {
         const Index e = index[(1U << a) | (1U << b)];
-        double& known = squares[static_cast<std::size_t>(e)];
+        auto& [known, there] = edges[static_cast<std::size_t>(e)];
         const double square = squared_distance(corner[a], corner[b], geometry.coordinate_dimension());
         if (known < 0) {
           known = square;
-        } else if (std::abs(square - known) > tolerance * std::max(square, known)) {
-          throw GeometryError(text("corner coordinates disagree on edge ", e, " = ", tuple_text(K.simplex(1, e)),
-                                   ": squared length ", known, " in one top simplex, ", square, " in ",
-                                   simplex_text(K, n, t), "; they must agree to ", tolerance, " relative"));
+          there = here;
+          continue;
         }
+        const double largest = std::max(square, known), roundoff = std::max(here, there);
+        const double allowed = tolerance * largest + roundoff * (2 * std::sqrt(largest) + roundoff);
+        if (std::abs(square - known) > allowed)
+          throw GeometryError(text("corner coordinates disagree on edge ", e, " = ", tuple_text(K.simplex(1, e)),
+                                   ": squared length ", std::setprecision(std::numeric_limits<double>::max_digits10),
+                                   known, " in one top simplex, ", square, " in ", simplex_text(K, n, t),
+                                   std::setprecision(3), "; they must agree to ", allowed));
       }
   }
 }
@@ -203,8 +213,8 @@ double Geometry<n>::roundoff(const std::array<const double*, n + 1>& corners) co
   if (source_ == MetricSource::lengths) return 0;
   double largest = 0;
   for (const double* p : corners)
-    for (int c = 0; c < width_; ++c) largest = std::max(largest, std::abs(p[c]));
-  return 16 * std::numeric_limits<double>::epsilon() * largest;
+    largest = std::max(largest, coordinate_roundoff({p, static_cast<std::size_t>(width_)}));
+  return largest;
 }
 
 template <int n>

@@ -4,13 +4,23 @@
 #include "derham/core/types.hpp"
 #include "derham/geometry/mesh_data.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace derham {
+
+/// 16 ulp of the largest of some coordinates in magnitude: what rounding a rigid motion may do to them.
+[[nodiscard]] inline double coordinate_roundoff(std::span<const double> coordinates) noexcept {
+  double largest = 0;
+  for (const double x : coordinates) largest = std::max(largest, std::abs(x));
+  return 16 * std::numeric_limits<double>::epsilon() * largest;
+}
 
 /// What a metric is made of.
 enum class MetricSource : std::uint8_t {
@@ -36,8 +46,8 @@ class Geometry {
 
   /// From positions of the corners of every top simplex: `corners` shape (|K_n|, n+1, m) row-major, corners in the
   /// order of the sorted representative.
-  /// Throws   as from_points; GeometryError naming an edge whose squared length differs by more than 1e-9 relative
-  ///          between two top simplices
+  /// Throws   as from_points; GeometryError naming an edge whose squared length differs between two top simplices by
+  ///          more than 1e-9 relative and what an error of 16 ulp of the largest coordinate in its length explains
   [[nodiscard]] static Geometry from_corners(const SimplicialComplex<n>& K, std::vector<double> corners, int m);
 
   /// From squared edge lengths: shape (|E|,), units length^2.
@@ -91,7 +101,7 @@ class Geometry {
   /// 1e-12 for coordinates; 1e-7 for lengths, where an altitude is the root of a difference of squares.
   [[nodiscard]] double relative_flatness() const noexcept { return source_ == MetricSource::lengths ? 1e-7 : 1e-12; }
 
-  /// 16 ulp of the largest coordinate in magnitude of a corner of t: what rounding a rigid motion of the mesh may do.
+  /// coordinate_roundoff of the corners of a top simplex.
   /// Units    length; 0 when there are only lengths
   [[nodiscard]] double roundoff(const std::array<const double*, n + 1>& corners) const noexcept;
 

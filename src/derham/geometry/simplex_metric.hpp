@@ -6,8 +6,27 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace derham {
+
+/// Divides the edges by a power of two near their largest component, so that no product of lengths leaves the range of
+/// doubles, and returns it; being a power of two it changes no digit. 1 if there is no finite component but 0.
+[[nodiscard]] inline double normalize(std::span<double> edges) noexcept {
+  double largest = 0;
+  for (const double x : edges) largest = std::max(largest, std::abs(x));
+  if (!(largest > 0) || !std::isfinite(largest)) return 1;
+  const int exponent = std::clamp(std::ilogb(largest), -1000, 1000);  // so that its reciprocal is finite, too
+  const double reciprocal = std::ldexp(1.0, -exponent);
+  for (double& x : edges) x *= reciprocal;
+  return std::ldexp(1.0, exponent);
+}
+
+/// x * unit^power. A zero stays zero whatever the power.
+[[nodiscard]] inline double in_units(double x, double unit, int power) noexcept {
+  for (int i = 0; i < power; ++i) x *= unit;
+  return x;
+}
 
 /// Lower triangular coordinates of k vectors: row i has its components along the orthonormalised vectors 0..i.
 template <int k>
@@ -99,11 +118,12 @@ template <int k>
 template <int n>
 class SimplexMetric {
  public:
-  FaceArray<n, double> volume;  ///< 1 for vertices
-  FaceArray<n, double> radius;  ///< circumradius, 0 for vertices
-  /// height[mask][v] for v in mask: signed distance of the circumcentre of the face from its facet without v.
+  FaceArray<n, double> volume;  ///< 1 for vertices; 0 or infinite where doubles end
+  double unit = 1;              ///< a power of two near the longest edge: what radius, height, coordinates() count in
+  FaceArray<n, double> radius;  ///< circumradius, 0 for vertices; in `unit`s
+  /// height[mask][v] for v in mask: signed distance of the circumcentre of the face from its facet without v; in
+  /// `unit`s.
   FaceArray<n, std::array<double, n + 1>> height;
-  double longest_edge = 0;
   bool degenerate = false;  ///< then radius and height are not set
 
   /// `corners` (n+1, d); a simplex is degenerate when its smallest altitude is at most
@@ -119,19 +139,22 @@ class SimplexMetric {
       } else {
         for (int i = 0; i < n; ++i)
           for (int c = 0; c < d; ++c) scratch[i * d + c] = corners[static_cast<std::size_t>(i) + 1][c] - corners[0][c];
+        unit = normalize({scratch, static_cast<std::size_t>(n * d)});
         triangularize<n>(scratch, d, frame_);
       }
     }
     for_each_mask<n>([&]<unsigned mask>() { measure<mask>(); });
     if constexpr (n > 0) {
-      const double threshold = std::max(relative_flatness * longest_edge, roundoff);
+      const double threshold = std::max(relative_flatness * longest_, roundoff / unit);
       bool flat = false;
       for (int i = 0; i < n; ++i) flat = flat || !(frame_[i][i] > threshold);
       degenerate = flat || circumcentres(threshold);
+      for (unsigned mask = 1; mask <= full_mask<n>; ++mask)
+        volume[mask] = in_units(volume[mask], unit, mask_degree(mask));
     }
   }
 
-  /// Coordinates of the corners in an orthonormal frame of the simplex's own n-plane.
+  /// Coordinates of the corners in an orthonormal frame of the simplex's own n-plane, in `unit`s.
   [[nodiscard]] std::array<std::array<double, n>, n + 1> coordinates() const noexcept {
     std::array<std::array<double, n>, n + 1> x{};
     for (int i = 0; i < n; ++i) x[i + 1] = frame_[i];
@@ -145,6 +168,7 @@ class SimplexMetric {
     for (int i = 0; i < n; ++i)
       for (int c = 0; c < m; ++c)
         edges[static_cast<std::size_t>(i * m + c)] = corners[static_cast<std::size_t>(i) + 1][c] - corners[0][c];
+    unit = normalize(edges);
     triangularize<n, m>(edges.data(), m, frame_);
   }
 
@@ -209,7 +233,7 @@ class SimplexMetric {
     } else if constexpr (k == 1) {
       const auto e = edge<v[0], v[1]>();
       volume[mask] = std::sqrt(dot(e, e));
-      longest_edge = std::max(longest_edge, volume[mask]);
+      longest_ = std::max(longest_, volume[mask]);
     } else if constexpr (k == 2) {
       volume[mask] = wedge(edge<v[0], v[1]>(), edge<v[0], v[2]>()) / 2;
     } else {
@@ -238,7 +262,7 @@ class SimplexMetric {
         height[mask][v[0]] = volume[b | c] * dot(ab, ac) * inverse;
         height[mask][v[1]] = -volume[a | c] * dot(ab, bc) * inverse;
         height[mask][v[2]] = volume[a | b] * dot(ac, bc) * inverse;
-        if constexpr (n == 2) flat = !(2 * volume[mask] > threshold * longest_edge);
+        if constexpr (n == 2) flat = !(2 * volume[mask] > threshold * longest_);
       } else {
         const auto simplex = circumcentric<k>(face_frame<mask>());
         radius[mask] = simplex.radius;
@@ -252,6 +276,7 @@ class SimplexMetric {
   }
 
   TriangularMatrix<n> frame_;
+  double longest_ = 0;  // edge, in `unit`s
 };
 
 }  // namespace derham

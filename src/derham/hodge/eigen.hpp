@@ -19,6 +19,7 @@ template <int n>
 /// The weak Laplacian of functions d_0ᵀ ⋆_1 d_0: symmetric, constants in its kernel; Δ_0 = ⋆_0^-1 times it.
 /// Shape    |V| × |V|                               Units   length^(n-2)
 /// Matrix   symmetric; positive semi-definite when no ⋆_1 is negative; a zero of ⋆_1 is stored as an entry 0
+/// Source   Elcott & Schröder, "Building your own DEC at home", §7
 template <int n>
   requires(n >= 1)
 [[nodiscard]] Eigen::SparseMatrix<double, Eigen::RowMajor> weak_laplacian(const HodgeStar<n>& star) {

@@ -4,6 +4,7 @@
 #include "derham/dual/circumcentric.hpp"
 #include "derham/geometry/naming.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace derham {
@@ -21,7 +22,14 @@ HodgeStar<n>::HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geomet
                              "; move their vertices or remove them"));
   diagonal_ = std::move(volumes.dual);
   for (std::size_t k = 0; k <= n; ++k)
-    for (std::size_t i = 0; i < diagonal_[k].size(); ++i) diagonal_[k][i] /= volumes.primal[k][i];
+    for (std::size_t i = 0; i < diagonal_[k].size(); ++i) {
+      const double dual = diagonal_[k][i], primal = volumes.primal[k][i];
+      diagonal_[k][i] = dual / primal;
+      if (!std::isfinite(diagonal_[k][i]))
+        throw GeometryError(text("the Hodge star of ", simplex_text(K, static_cast<int>(k), static_cast<Index>(i)),
+                                 " is out of the range of doubles: dual volume ", dual, " over volume ", primal,
+                                 "; scale the mesh so that edge lengths are closer to 1"));
+    }
 }
 
 template <int n>

@@ -23,7 +23,7 @@ class HodgeStar {
  public:
   /// Cost     one pass over the top simplices
   /// Throws   TopologyError if K is not orientable (names a one-sided cycle); GeometryError if a top simplex is
-  ///          degenerate (names it)
+  ///          degenerate or an entry out of the range of doubles (names it)
   HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
 
   [[nodiscard]] const SimplicialComplex<n>& complex() const noexcept { return *complex_; }
