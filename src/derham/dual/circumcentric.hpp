@@ -4,6 +4,8 @@
 #include "derham/geometry/geometry.hpp"
 #include "derham/geometry/volumes.hpp"
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace derham {
@@ -31,6 +33,12 @@ struct CircumcentricDual {
 ///          Kalyanaraman, VanderZee, "Delaunay Hodge star", 2013
 template <int n>
 [[nodiscard]] CircumcentricDual<n> circumcentric_dual(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
+
+/// dual/primal, an entry of the diagonal star; NaN where it is undefined or out of the range of normal doubles.
+[[nodiscard]] inline double star_entry(double dual, double primal) noexcept {
+  const double star = dual / primal;
+  return dual == 0 || std::isnormal(star) ? star : std::numeric_limits<double>::quiet_NaN();
+}
 
 /// The signed dual volumes, [k] (|K_k|,), units length^(n-k).
 /// Law      Σ |σ^k| D(σ^k) = C(n,k) |M| for every k, on every mesh

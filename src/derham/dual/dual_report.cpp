@@ -17,8 +17,8 @@ DualReport dual_report(const SimplicialComplex<n>& K, const CircumcentricDual<n>
     verdict.min = std::numeric_limits<double>::quiet_NaN();
     for (Index i = 0; i < K.size(k); ++i) {
       const double volume = dual.dual[k][i];
-      const double star = volume / dual.primal[k][i];
-      if (!std::isfinite(star)) {
+      const double star = star_entry(volume, dual.primal[k][i]);
+      if (std::isnan(star)) {
         ++verdict.undefined;
         continue;
       }

@@ -24,8 +24,8 @@ HodgeStar<n>::HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geomet
   for (std::size_t k = 0; k <= n; ++k)
     for (std::size_t i = 0; i < diagonal_[k].size(); ++i) {
       const double dual = diagonal_[k][i], primal = volumes.primal[k][i];
-      diagonal_[k][i] = dual / primal;
-      if (!std::isfinite(diagonal_[k][i]))
+      diagonal_[k][i] = star_entry(dual, primal);
+      if (std::isnan(diagonal_[k][i]))
         throw GeometryError(text("the Hodge star of ", simplex_text(K, static_cast<int>(k), static_cast<Index>(i)),
                                  " is out of the range of doubles: dual volume ", dual, " over volume ", primal,
                                  "; scale the mesh so that edge lengths are closer to 1"));
