@@ -43,27 +43,29 @@ class DefectList {
   std::map<std::string, Offset> counts_;
 };
 
-/// Rows that no complex can hold are defects here; the certificate then looks at the others.
-void take_out_bad_rows(LoadedMesh& loaded, DefectList& defects) {
+/// Rows that no complex can hold are defects here; the certificate then looks at the others. Whether there were any.
+bool take_out_bad_rows(LoadedMesh& loaded, DefectList& defects) {
   const SimplexList& rows = loaded.mesh.simplices;
   const InputReport report = check_input(rows, loaded.mesh.vertex_count);
   std::vector<Offset> bad;
   for (const auto& [row, vertex] : report.repeats) {
     bad.push_back(row);
     defects.add("repeat", rows[row],
-                text("row ", row, " has vertex ", loaded.position(vertex),
+                text("row ", row, loaded.row_text(row), " has vertex ", loaded.position(vertex),
                      " more than once; the vertices of a simplex are distinct. Remove the row, or give the corner a "
                      "vertex of its own"));
   }
   for (const auto& [row, first_row] : report.duplicates) {
     bad.push_back(row);
-    defects.add("duplicate", rows[row],
-                text("row ", row, " has the same vertices as row ", first_row,
-                     "; remove one, or, where a glued mesh identifies too much, subdivide it"));
+    defects.add(
+        "duplicate", rows[row],
+        text("row ", row, loaded.row_text(row), " has the same vertices as row ", first_row, loaded.row_text(first_row),
+             "; remove one, or, where a glued mesh identifies too much, subdivide it"));
   }
-  if (bad.empty()) return;
+  if (bad.empty()) return false;
   std::ranges::sort(bad);
   loaded.remove_rows(bad);
+  return true;
 }
 
 template <int n>
@@ -76,12 +78,12 @@ void check_metric(const LoadedMesh& loaded, SimplicialComplex<n>& K, DefectList&
     const QualityReport report = quality(K, geometry);
     for (const Index t : report.inverted)
       defects.add("inverted", K.simplex(n, t),
-                  "its volume has the sign opposite to its neighbours': it is folded over them. Move a vertex, or flip "
-                  "the simplices around it");
+                  "its volume has the sign opposite to its neighbours': it is folded over them" + loaded.row_text(t) +
+                      ". Move a vertex, or flip the simplices around it");
     for (const Index t : report.degenerate)
-      defects.add(
-          "degenerate", K.simplex(n, t),
-          "it is flat: its circumcentre and its duals do not exist. Move a vertex, or collapse its shortest edge");
+      defects.add("degenerate", K.simplex(n, t),
+                  "it is flat: its circumcentre and its duals do not exist" + loaded.row_text(t) +
+                      ". Move a vertex, or collapse its shortest edge");
   }
 }
 
@@ -130,12 +132,12 @@ Run add_check(CLI::App& parent, Common& common) {
   const auto all = std::make_shared<bool>(false);
   add_input_options(command, *input);
   command.add_flag("--all", *all, "list every defect, not 20 of a kind");
-  add_common_options(command, common);
   return [&common, input, all] {
     Console console(common);
-    LoadedMesh loaded = load_mesh(*input, console);
+    LoadedMesh loaded = read_only(*input, console);
     DefectList defects(loaded, *all);
-    take_out_bad_rows(loaded, defects);
+    const bool bad_rows = take_out_bad_rows(loaded, defects);
+    settle_unused(loaded, input->drop_unused || bad_rows, console);
     const bool sound = with_dimension(loaded, [&](auto n) { return check<n()>(loaded, defects, console); });
     const bool ok = sound && defects.counts().empty();
     if (common.json)

@@ -9,9 +9,6 @@
 
 namespace derham::cli {
 
-/// Adds --json and --quiet.
-void add_common_options(CLI::App& command, Common& common);
-
 /// Adds the positional MESH, --format and --drop-unused.
 void add_input_options(CLI::App& command, Input& input);
 

@@ -10,36 +10,47 @@
 #include "derham/io/form_picture.hpp"
 #include "derham/meshes/tori.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <memory>
 
 namespace derham::cli {
 namespace {
 
-/// One mesh from file or generator to verdicts: what the certificate says, exact laws, timings.
-bool show(const std::string& title, const LoadedMesh& loaded, double seconds_to_get, Console& console) {
-  const Survey s = survey(loaded, console, true);
+/// Whether everything that the demonstration promises holds.
+bool holds(const Survey& s) {
+  return s.manifold == Verdict::yes && s.orientable && s.boundary_of_boundary_zero &&
+         std::ranges::all_of(s.identity_error, [](double error) { return error < 1e-9; });
+}
+
+/// What the certificate says, exact laws, timings.
+std::string story(const std::string& title, const Survey& s) {
   std::string out = title + "\n" + to_text(s);
   out += text("  boundary of a boundary: ", s.boundary_of_boundary_zero ? "zero, exactly" : "NOT ZERO", "\n");
-  bool identities = true;
+  char line[160];
   for (std::size_t k = 0; k < s.identity_error.size(); ++k) {
-    char line[160];
     std::snprintf(line, sizeof line, "  sum of |s||*s| over degree %zu = C(%d,%zu) volume to %.1e\n", k, s.dimension, k,
                   s.identity_error[k]);
     out += line;
-    identities = identities && s.identity_error[k] < 1e-9;
   }
-  const auto time = [&](const std::string& stage, double seconds) {
-    char line[160];
-    std::snprintf(line, sizeof line, "  %-22s %9.3f ms\n", stage.c_str(), seconds * 1e3);
+  for (const Survey::Stage& stage : s.stages) {
+    std::snprintf(line, sizeof line, "  %-22s %9.3f ms\n", stage.name.c_str(), stage.seconds * 1e3);
     out += line;
-  };
-  time("read or generate", seconds_to_get);
-  for (const Survey::Stage& stage : s.stages) time(stage.name, stage.seconds);
-  print(out + "\n");
-  return s.manifold == Verdict::yes && s.orientable && s.boundary_of_boundary_zero && identities;
+  }
+  return out + "\n";
+}
+
+Json story_json(const std::string& title, const Survey& s) {
+  Json json = to_json(s), seconds = Json::object();
+  for (const Survey::Stage& stage : s.stages) seconds[stage.name] = stage.seconds;
+  json["mesh"] = title;
+  json["boundary_of_boundary_zero"] = s.boundary_of_boundary_zero;
+  json["identity_error"] = s.identity_error;
+  json["seconds"] = seconds;
+  return json;
 }
 
 /// The angle about the axis as a multivalued function: its steps along edges are a closed 1-form that is no gradient.
@@ -84,23 +95,35 @@ Run add_demo(CLI::App& parent, Common& common) {
   const auto out = std::make_shared<std::string>("derham_demo.vtu");
   command.add_option("MESH", *paths, "further mesh files");
   command.add_option("-o,--out", *out, "file to draw to");
-  add_common_options(command, common);
   return [&common, paths, out] {
     Console console(common);
-    const auto now = [] { return std::chrono::steady_clock::now(); };
-    const auto since = [&](auto start) { return std::chrono::duration<double>(now() - start).count(); };
-    auto start = now();
-    LoadedMesh torus;
-    torus.path = "solid torus";
-    torus.mesh = meshes::solid_torus(6, 94);
-    bool good = show("solid torus, generated", torus, since(start), console);
-    for (const std::string& path : *paths) {
-      start = now();
-      const LoadedMesh loaded = load_mesh({path, "", false}, console);
-      good = show(path, loaded, since(start), console) && good;
-    }
+    Json meshes_json = Json::array();
+    bool good = true;
+    const auto show = [&](const std::string& title, const std::function<LoadedMesh()>& get) {
+      const auto start = std::chrono::steady_clock::now();
+      LoadedMesh loaded = get();
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      Survey s = survey(loaded, console, true);
+      s.stages.insert(s.stages.begin(), {"read or generate", seconds});
+      good = good && holds(s);
+      if (common.json)
+        meshes_json.push_back(story_json(title, s));
+      else
+        print(story(title, s));
+      return loaded;
+    };
+    const LoadedMesh torus = show("solid torus, generated", [] {
+      LoadedMesh generated;
+      generated.path = "solid torus";
+      generated.mesh = meshes::solid_torus(6, 94);
+      return generated;
+    });
+    for (const std::string& path : *paths) show(path, [&] { return load_mesh({path, "", false}, console); });
     write_picture(*out, torus);
-    print("wrote " + *out + ": open it in ParaView\n");
+    if (common.json)
+      print(Json{{"ok", good}, {"meshes", meshes_json}, {"picture", *out}});
+    else
+      print("wrote " + *out + ": open it in ParaView\n");
     return good ? Exit::ok : Exit::check_failed;
   };
 }

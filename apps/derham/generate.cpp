@@ -1,5 +1,6 @@
 #include "commands.hpp"
 
+#include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/write_mesh.hpp"
 #include "derham/meshes/balls.hpp"
@@ -11,6 +12,7 @@
 #include "derham/meshes/voxels.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <memory>
 
@@ -22,6 +24,7 @@ struct Recipe {
   std::string kind, out, format, spec;
   int dimension = 3;
   bool dimension_given = false;
+  std::string cells_text;
   std::vector<Index> cells;
   Index layers = 8, rings = 6, segments = 94, sides = 24;
   int level = 3;
@@ -30,6 +33,21 @@ struct Recipe {
 
   [[nodiscard]] int dimension_or(int usual) const { return dimension_given ? dimension : usual; }
 };
+
+/// "4" or "4,3,2".
+std::vector<Index> parsed_cells(const std::string& numbers) {
+  std::vector<Index> cells;
+  for (const char *at = numbers.data(), *end = at + numbers.size(); at < end; ++at) {
+    Index count = 0;
+    const auto [next, error] = std::from_chars(at, end, count);
+    if (error != std::errc() || (next != end && (*next != ',' || next + 1 == end)))
+      throw Failure(Exit::usage, "usage",
+                    "--cells is '" + numbers + "'; it is one number, or one per axis as in 4,3,2");
+    cells.push_back(count);
+    at = next;
+  }
+  return cells;
+}
 
 /// One number stands for all axes.
 std::vector<Index> cells_of(const Recipe& r) {
@@ -109,10 +127,8 @@ Run add_generate(CLI::App& parent, Common& common) {
   CLI::Option* dimension =
       command.add_option("--dimension", recipe->dimension,
                          "of the mesh (box, periodic-box, ball, a-star, simplex-boundary, cross-polytope; 3)");
-  command
-      .add_option("--cells", recipe->cells,
-                  "cubes per axis, one number or one per axis (box, periodic-box: 4; bcc, a-star: 3)")
-      ->delimiter(',');
+  command.add_option("--cells", recipe->cells_text,
+                     "cubes per axis, one number or one per axis (box, periodic-box: 4; bcc, a-star: 3)");
   command.add_option("--jitter", recipe->jitter, "random displacement, in cell sizes (box, periodic-box)");
   command.add_option("--seed", recipe->seed, "of the jitter");
   command.add_option("--layers", recipe->layers, "shells (ball: 8)");
@@ -124,9 +140,9 @@ Run add_generate(CLI::App& parent, Common& common) {
   command.add_option("--minor", recipe->minor, "radius of the tube (torus, solid-torus): 0.4");
   command.add_option("--spec", recipe->spec,
                      "voxels: a box and boxes taken away (-) or put back (+), e.g. 3x3x1-1,1,0");
-  add_common_options(command, common);
   return [&common, recipe, dimension, kinds, listed] {
     recipe->dimension_given = dimension->count() > 0;
+    recipe->cells = parsed_cells(recipe->cells_text);
     const auto generator = generators().find(recipe->kind);
     if (generator == generators().end())
       throw Failure(
@@ -135,8 +151,13 @@ Run add_generate(CLI::App& parent, Common& common) {
     if (recipe->kind == "voxels" && recipe->spec.empty())
       throw Failure(Exit::usage, "usage", "voxels need --spec, e.g. --spec 3x3x1-1,1,0");
     const MeshFormat format = output_format(*recipe);
-    const MeshData mesh = generator->second(*recipe);
-    write_mesh(recipe->out, mesh, format);
+    MeshData mesh;
+    try {
+      mesh = generator->second(*recipe);
+      write_mesh(recipe->out, mesh, format);
+    } catch (const InputError& error) {
+      throw Failure(Exit::usage, "usage", error.what());
+    }
     const Console console(common);
     if (common.json && recipe->out != "-")
       print(Json{{"file", recipe->out},

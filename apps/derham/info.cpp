@@ -9,7 +9,6 @@ Run add_info(CLI::App& parent, Common& common) {
   CLI::App& command = *parent.add_subcommand("info", "counts, topology, orientation, volumes and verdicts of a mesh");
   const auto input = std::make_shared<Input>();
   add_input_options(command, *input);
-  add_common_options(command, common);
   return [&common, input] {
     Console console(common);
     const LoadedMesh loaded = load_mesh(*input, console);

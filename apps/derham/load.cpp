@@ -41,6 +41,11 @@ std::string LoadedMesh::tags_text(std::span<const Index> simplex) const {
   return out;
 }
 
+std::string LoadedMesh::row_text(Offset row) const {
+  if (mesh.row_tags.empty()) return {};
+  return text(" (simplex ", mesh.row_tags[static_cast<std::size_t>(row)], " in the file)");
+}
+
 void LoadedMesh::remove_rows(std::span<const Offset> rows) {
   MeshData kept = mesh;
   kept.simplices = SimplexList();
@@ -59,7 +64,7 @@ void LoadedMesh::remove_rows(std::span<const Offset> rows) {
   compact(*this);
 }
 
-LoadedMesh load_mesh(const Input& input, Console& console) {
+LoadedMesh read_only(const Input& input, Console& console) {
   LoadedMesh loaded;
   loaded.path = input.path;
   const auto format = wanted_format(input);
@@ -70,17 +75,26 @@ LoadedMesh load_mesh(const Input& input, Console& console) {
   loaded.mesh.vertex_tags.clear();
   if (loaded.mesh.ignored_lower > 0)
     console.message(text(input.path, ": ignored ", loaded.mesh.ignored_lower, " simplices of lower dimension"));
+  return loaded;
+}
+
+void settle_unused(LoadedMesh& loaded, bool drop, Console& console) {
   const Index unused = first_unused_vertex(loaded.mesh);
-  if (unused < 0) return loaded;
-  if (!input.drop_unused) {
+  if (unused < 0) return;
+  if (!drop) {
     const Index one[] = {unused};
     const std::string tags = loaded.tags_text(one);
     throw Failure(Exit::unreadable, "input",
-                  text(input.path, ": vertex ", unused, tags.empty() ? "" : " (" + tags + ")",
+                  text(loaded.path, ": vertex ", unused, tags.empty() ? "" : " (" + tags + ")",
                        " is in no simplex; every vertex must be used. Give --drop-unused to leave such vertices out"),
-                  input.path);
+                  loaded.path);
   }
-  console.message(text(input.path, ": dropped ", compact(loaded), " unused vertices"));
+  console.message(text(loaded.path, ": dropped ", compact(loaded), " unused vertices"));
+}
+
+LoadedMesh load_mesh(const Input& input, Console& console) {
+  LoadedMesh loaded = read_only(input, console);
+  settle_unused(loaded, input.drop_unused, console);
   return loaded;
 }
 
@@ -90,9 +104,7 @@ SimplicialComplex<n> build_complex(const LoadedMesh& loaded) {
   try {
     return SimplicialComplex<n>(loaded.mesh.simplices, loaded.mesh.vertex_count);
   } catch (const InputError& error) {
-    std::string where;
-    if (error.row() >= 0 && !loaded.mesh.row_tags.empty())
-      where = text(" (in the file: simplex ", loaded.mesh.row_tags[static_cast<std::size_t>(error.row())], ")");
+    const std::string where = error.row() >= 0 ? loaded.row_text(error.row()) : std::string();
     throw Failure(Exit::unreadable, "input", loaded.path + ": " + error.what() + where, loaded.path);
   }
 }

@@ -34,12 +34,19 @@ struct LoadedMesh {
   /// "file numbers 7, 9" of a simplex, or nothing if the file counts from 0.
   [[nodiscard]] std::string tags_text(std::span<const Index> simplex) const;
 
+  /// The file's own number of a row, as " (simplex 17 in the file)", or nothing if the file counts from 0.
+  [[nodiscard]] std::string row_text(Offset row) const;
+
   /// Removes rows (increasing) and the vertices that are then unused.
   void remove_rows(std::span<const Offset> rows);
 };
 
 /// Reads the mesh. Unused vertices are refused with Exit::unreadable unless dropped (and counted on the console).
 [[nodiscard]] LoadedMesh load_mesh(const Input& input, Console& console);
+
+/// The two steps of load_mesh.
+[[nodiscard]] LoadedMesh read_only(const Input& input, Console& console);
+void settle_unused(LoadedMesh& loaded, bool drop, Console& console);
 
 /// The complex of a loaded mesh. Bad rows are refused with Exit::unreadable.
 template <int n>

@@ -5,17 +5,16 @@
 #include "derham/core/version.hpp"
 #include "derham/io/atomic_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <map>
 #include <new>
+#include <stdexcept>
 
 namespace derham::cli {
-
-void add_common_options(CLI::App& command, Common& common) {
-  command.add_flag("--json", common.json, "one JSON object on stdout, for errors too");
-  command.add_flag("-q,--quiet", common.quiet, "no messages on stderr");
-}
 
 void add_input_options(CLI::App& command, Input& input) {
   command.add_option("MESH", input.path, "mesh file (.node/.ele, .msh, .off, .obj, .facets), - for stdin")->required();
@@ -59,12 +58,16 @@ Exit run(const Run& command, const Common& common) {
         common);
   } catch (const LimitError& error) {
     return report(Failure(Exit::limit, error.kind(), error.what()), common);
-  } catch (const InputError& error) {
-    return report(Failure(Exit::usage, error.kind(), error.what()), common);
+  } catch (const InputError& error) {  // wrong arguments are told apart where they are used: this is the mesh
+    return report(Failure(Exit::unreadable, error.kind(), error.what()), common);
   } catch (const Error& error) {
     return report(Failure(Exit::numerical, error.kind(), error.what()), common);
   } catch (const std::bad_alloc&) {
     return report(Failure(Exit::limit, "memory", "out of memory"), common);
+  } catch (const std::length_error&) {
+    return report(Failure(Exit::limit, "memory", "a list would be longer than memory can hold"), common);
+  } catch (const std::exception& error) {
+    return report(Failure(Exit::numerical, "error", error.what()), common);
   }
 }
 
@@ -72,8 +75,11 @@ int main_of(int argc, char** argv) {
   CLI::App app("derham: discrete exterior calculus on simplicial meshes", "derham");
   app.set_version_flag("--version", std::string("derham ") + version);
   app.require_subcommand(1);
+  app.fallthrough();  // --json and --quiet may stand before or after the command
   app.failure_message(CLI::FailureMessage::simple);
   Common common;
+  app.add_flag("--json", common.json, "one JSON object on stdout, for errors too");
+  app.add_flag("-q,--quiet", common.quiet, "no messages on stderr");
   std::map<std::string, Run> commands;
   commands["info"] = add_info(app, common);
   commands["check"] = add_check(app, common);
@@ -81,14 +87,14 @@ int main_of(int argc, char** argv) {
   commands["generate"] = add_generate(app, common);
   commands["demo"] = add_demo(app, common);
 
-  bool subcommand_seen = false;
+  std::string word;  // the command: the first argument that is no option
   for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    common.json = common.json || word == "--json";
-    common.quiet = common.quiet || word == "--quiet" || word == "-q";
-    if (subcommand_seen || word.starts_with('-')) continue;
-    subcommand_seen = true;
-    if (commands.contains(word)) continue;
+    const std::string argument = argv[i];
+    common.json = common.json || argument == "--json";
+    common.quiet = common.quiet || argument == "--quiet" || argument == "-q";
+    if (word.empty() && !argument.starts_with('-')) word = argument;
+  }
+  if (!word.empty() && !commands.contains(word)) {
     std::vector<std::string> names;
     for (const auto& [name, command] : commands) names.push_back(name);
     return static_cast<int>(report(Failure(Exit::usage, "usage",
@@ -110,7 +116,10 @@ int main_of(int argc, char** argv) {
 }  // namespace derham::cli
 
 int main(int argc, char** argv) {
+  // A closed standard stream must not lend its number to a file: reading and writing it then fails as it should.
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0) (void)open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, derham::cli::end_cleanly);
-  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a write error like any other
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);  // write errors like any other
   return derham::cli::main_of(argc, argv);
 }

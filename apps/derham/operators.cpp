@@ -25,6 +25,7 @@ class Writer {
     if (code || !std::filesystem::is_directory(directory_))
       throw FileError(FileError::Action::write, directory_, 0,
                       "cannot make this directory" + (code ? ": " + code.message() : std::string()));
+    remove_old_files();
   }
 
   [[nodiscard]] std::string next(const std::string& name) {
@@ -37,6 +38,15 @@ class Writer {
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
  private:
+  /// What an earlier run wrote here: files of another mesh must not stand beside the new ones.
+  void remove_old_files() const {
+    std::error_code code;
+    for (int k = 0; k <= max_dimension; ++k)
+      for (const char* name : {"simplices", "d", "boundary", "star"})
+        std::filesystem::remove(text(directory_, "/", name, k, std::string_view(name) == "simplices" ? ".txt" : ".mtx"),
+                                code);
+  }
+
   std::string directory_;
   std::vector<std::string> names_;
 };
@@ -122,7 +132,6 @@ Run add_operators(CLI::App& parent, Common& common) {
   const auto directory = std::make_shared<std::string>();
   add_input_options(command, *input);
   command.add_option("-o,--out", *directory, "directory to write to, made if need be")->required();
-  add_common_options(command, common);
   return [&common, input, directory] {
     Console console(common);
     const LoadedMesh loaded = load_mesh(*input, console);

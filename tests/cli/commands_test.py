@@ -1,4 +1,5 @@
 """The command line: verdicts, exit codes, JSON, refusals."""
+import json
 import os
 import signal
 import subprocess
@@ -60,6 +61,8 @@ class Info(Case):
         self.assertEqual(info["simplices"], [])
         self.assertEqual(info["euler_characteristic"], 0)
         self.assertEqual(info["components"], 0)
+        self.assertEqual(info, self.json("info", self.file("nothing.facets", "")))
+        self.assertIs(self.json("check", self.file("nothing.facets", ""))["ok"], True)
 
     def test_non_pure(self):
         info = self.json("info", self.file("mixed.facets", "0 1 2\n2 3\n4\n"))
@@ -107,6 +110,12 @@ class Check(Case):
     def test_duplicate_and_repeat(self):
         self.defects("0 1 2 3\n1 0 3 2\n", [("duplicate", [0, 1, 2, 3])])
         self.defects("0 1 2 3\n0 0 1 2\n", [("repeat", [0, 0, 1, 2])])
+
+    def test_repeat_that_leaves_a_vertex_unused(self):
+        path = self.file("repeat.node", "4 2 0 0\n0 0 0\n1 1 0\n2 0 1\n3 1 1\n")
+        self.file("repeat.ele", "2 3 0\n0 0 1 2\n1 1 2 2\n")
+        report = self.json("check", path, code=1)
+        self.assertEqual([(d["kind"], d["simplex"]) for d in report["defects"]], [("repeat", [1, 2, 2])])
 
     def test_one_sided(self):
         report = self.json("check", self.file("m.facets", MOEBIUS), code=1)
@@ -199,8 +208,67 @@ class Refusals(Case):
         self.refused(6, "generate", "box", "--cells", 100000, "--out", self.directory / "x.msh")
         self.assertEqual(list(self.directory.iterdir()), [])
 
+    def test_closed_streams(self):
+        box = self.generate("box.msh", "box", "--cells", 1)
+        for number, closed in enumerate(("<&-", ">&-", "2>&-")):
+            target = self.directory / f"copy{number}.ele"
+            command = f'exec "$1" generate box --cells 1 --out "$2" {closed}'
+            self.assertEqual(subprocess.run(["sh", "-c", command, "sh", PROGRAM, target], capture_output=True).returncode, 0)
+            self.assertEqual(self.json("info", target)["simplices"], [8, 19, 18, 6])
+        self.assertEqual(subprocess.run(["sh", "-c", 'exec "$1" info "$2" >&-', "sh", PROGRAM, box], capture_output=True).returncode, 4)
+
+    def test_size_limit(self):
+        command = 'ulimit -f 1; exec "$1" generate box --cells 10 --out "$2"'
+        done = subprocess.run(["bash", "-c", command, "bash", PROGRAM, self.directory / "x.msh"], capture_output=True)
+        self.assertEqual(done.returncode, 4)
+        self.assertEqual(list(self.directory.iterdir()), [])
+
+    def test_without_threads(self):
+        box = self.generate("box.msh", "box", "--cells", 16)
+        for limit in (18000, 20000, 24000, 30000, 60000):
+            done = subprocess.run(["bash", "-c", f'ulimit -v {limit}; exec "$1" info "$2"', "bash", PROGRAM, box], capture_output=True)
+            self.assertIn(done.returncode, (0, 6, 127), done.stderr)
+
+    def test_json_after_a_mistyped_command(self):
+        self.assertIn("info", self.refused(2, "inf", "x")["message"])
+
     def test_quiet(self):
         self.assertEqual(run("generate", "box", "--out", self.directory / "x.msh", "--quiet"), (0, "", ""))
+
+
+    def test_options_in_any_place(self):
+        box = self.generate("box.msh", "box", "--cells", 1)
+        self.assertEqual(self.json("info", box), self.json("info", box, "-q"))
+        code, out, _ = run("--json", "info", box)
+        self.assertEqual((code, json.loads(out)["simplices"]), (0, [8, 19, 18, 6]))
+        self.assertEqual(run("generate", "--cells", "2,1", "--dimension", 2, "box", "--out", self.directory / "b.off")[0], 0)
+        self.assertEqual(self.json("info", self.directory / "b.off")["simplices"], [6, 9, 4])
+
+
+class Operators(Case):
+    def test_a_directory_used_before_keeps_nothing_of_the_other_mesh(self):
+        out = self.directory / "out"
+        self.json("operators", self.generate("box.msh", "box", "--cells", 1), "--out", out)
+        self.assertTrue((out / "star3.mtx").exists())
+        summary = self.json("operators", self.file("m.facets", MOEBIUS), "--out", out, code=1)
+        self.assertIs(summary["stars"], False)
+        self.assertEqual(sorted(p.name for p in out.iterdir()), sorted(summary["files"]))
+
+
+class Demo(Case):
+    def test_json(self):
+        picture = self.directory / "demo.vtu"
+        demo = self.json("demo", self.generate("box.msh", "box", "--cells", 2), "--out", picture)
+        self.assertIs(demo["ok"], True)
+        self.assertGreaterEqual(demo["meshes"][0]["simplices"][3], 50000)
+        self.assertEqual(demo["meshes"][1]["simplices"], [27, 98, 120, 48])
+        self.assertTrue(picture.read_bytes().startswith(b"<?xml"))
+
+    def test_text(self):
+        code, out, _ = run("demo", "--out", self.directory / "demo.vtu")
+        self.assertEqual(code, 0)
+        for promise in ("manifold         yes", "boundary of a boundary: zero, exactly", "degree 3 = C(3,3)", "certificate"):
+            self.assertIn(promise, out)
 
 
 class Interrupted(Case):

@@ -24,14 +24,15 @@ TEST(Facets, ReadsDimensionsUpToSix) {
   refused("0 1\n0 1 2 3 4 5 6 7\n", 2, "dimension at most 6");
 }
 
-TEST(Facets, CommentsAloneAreTheEmptyComplex) {
-  const auto mesh = read("# nothing\n\n");
-  EXPECT_TRUE(mesh.simplices.empty());
-  EXPECT_EQ(mesh.vertex_count, 0);
+TEST(Facets, NothingOrCommentsAloneAreTheEmptyComplex) {
+  for (const char* bytes : {"", "# nothing\n\n"}) {
+    const auto mesh = read(bytes);
+    EXPECT_TRUE(mesh.simplices.empty());
+    EXPECT_EQ(mesh.vertex_count, 0);
+  }
 }
 
 TEST(Facets, RefusesDamage) {
-  refused("", 0, "empty");
   refused("0 1\n1 -2\n", 2, "a vertex id is -2, expected at least 0");
   refused("0 1\n1 2.0\n", 2, "'2.0'");
   refused("0 1\n1,2\n", 2, "'1,2'");

@@ -6,6 +6,7 @@
 #include <exception>
 #include <mutex>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -21,6 +22,21 @@ namespace {
 
 std::atomic<int> chosen_threads{0};
 thread_local bool inside_loop = false;  // this thread runs a block: loops within it run on this thread alone
+
+/// Whether `count` more threads can be started at all: a limit on memory or processes would otherwise end the program
+/// from within the thread library. Asked once.
+bool can_start_threads(Offset count) {
+  static const bool possible = [count] {
+    try {
+      std::vector<std::jthread> probes;
+      for (Offset i = 0; i < count; ++i) probes.emplace_back([] { std::this_thread::yield(); });
+      return true;
+    } catch (const std::system_error&) {
+      return false;
+    }
+  }();
+  return possible;
+}
 
 /// Calls one block of a parallel loop.
 void run_block(detail::BlockFunction function, void* context, Offset block) {
@@ -48,7 +64,7 @@ namespace detail {
 
 void run_blocks(Offset blocks, BlockFunction function, void* context) {
   const Offset threads = std::min<Offset>(thread_count(), blocks);
-  if (threads <= 1 || inside_loop) {
+  if (threads <= 1 || inside_loop || !can_start_threads(threads - 1)) {
     for (Offset block = 0; block < blocks; ++block) function(context, block);
     return;
   }

@@ -62,6 +62,7 @@ void remove_pending_temporaries() noexcept {
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), target_(path_) {
   if (path_ == "-" || path_ == "/dev/stdout") {
     descriptor_ = STDOUT_FILENO;
+    is_stdout_ = true;
     return;
   }
   if (path_.empty()) fail("cannot write to an empty file name", ENOENT);
@@ -95,7 +96,7 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), target_(path_
 }
 
 AtomicFile::~AtomicFile() {
-  if (descriptor_ > STDOUT_FILENO) ::close(descriptor_);
+  if (!is_stdout_ && descriptor_ >= 0) ::close(descriptor_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
   free_slot(slot_);
 }
@@ -109,7 +110,7 @@ void AtomicFile::write(std::string_view bytes) {
 }
 
 void AtomicFile::commit() {
-  if (descriptor_ <= STDOUT_FILENO) return;
+  if (is_stdout_) return;
   if (!temporary_.empty() && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP)
     fail("cannot write", errno);
   if (::close(std::exchange(descriptor_, -1)) != 0) fail("cannot write", errno);

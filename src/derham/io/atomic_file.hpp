@@ -35,7 +35,8 @@ class AtomicFile {
   std::string target_;     // with symbolic links followed
   std::string temporary_;  // empty when writing directly
   int descriptor_ = -1;
-  int slot_ = -1;  // in the list of pending temporaries
+  bool is_stdout_ = false;  // the descriptor is not ours to close (a file of ours may well be number 0 or 1)
+  int slot_ = -1;           // in the list of pending temporaries
 };
 
 /// Removes the temporary files of all AtomicFiles that are not committed yet. Safe to call in a signal handler, for a

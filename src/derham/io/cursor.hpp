@@ -71,8 +71,12 @@ class Cursor {
   /// The next token of the line as a finite real number; out of the range of a double is refused.
   double real(const char* what) {
     double value = 0;
+    const char* const before = at_;
     accept(value, what);
-    if (!std::isfinite(value)) fail_token("a finite number", what);
+    if (!std::isfinite(value)) {
+      at_ = before;
+      fail_token("a finite number", what);
+    }
     return value;
   }
 

@@ -22,7 +22,8 @@ FileBytes companion(const std::string& path, const std::string& of) {
 }  // namespace
 
 MeshData read_mesh_from_memory(std::string_view bytes, MeshFormat format, const std::string& name) {
-  if (bytes.empty()) throw FileError(FileError::Action::read, name, 0, "the file is empty");
+  if (bytes.empty() && format != MeshFormat::facets)  // no facets make the empty complex
+    throw FileError(FileError::Action::read, name, 0, "the file is empty");
   Cursor file(bytes, name, format == MeshFormat::gmsh ? Cursor::no_comment : '#');
   switch (format) {
     case MeshFormat::tetgen:
@@ -45,7 +46,8 @@ MeshData read_mesh_from_memory(std::string_view bytes, MeshFormat format, const 
 MeshData read_mesh(const std::string& path, std::optional<MeshFormat> format) {
   const FileBytes bytes(path);
   const std::string name = path == "-" ? "stdin" : path;
-  if (bytes.view().empty()) throw FileError(FileError::Action::read, name, 0, "the file is empty");
+  if (!format && bytes.view().empty() && format_by_extension(name) != MeshFormat::facets)
+    throw FileError(FileError::Action::read, name, 0, "the file is empty");
   if (!format) format = detect_format(name, bytes.view());
   const auto [node_path, ele_path] = tetgen_paths(path);
   const bool is_pair = *format == MeshFormat::tetgen && (path == node_path || path == ele_path);

@@ -17,7 +17,7 @@ namespace derham {
 /// gmsh     .msh 2.2 ASCII, m = 3 also for planar meshes. Points, lines, triangles and tetrahedra.
 /// off      m = 3; faces of 1 to 3 vertices, with or without colours.
 /// obj      m = 3; p, l and f lines; texture coordinates, normals, groups and materials are skipped.
-/// facets   m = 0 (abstract): one simplex of 1 to 7 vertex ids per line, dimensions may be mixed.
+/// facets   m = 0 (abstract): one simplex of 1 to 7 vertex ids per line, dimensions may be mixed; no line: empty complex.
 ///
 /// The simplices of the highest dimension in the file are the rows, in the file's order (facets: every line is a row);
 /// `ignored_lower` counts the others. `vertex_tags` and `row_tags` hold the file's numbers where they are not 0, 1, 2….
