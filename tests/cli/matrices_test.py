@@ -4,6 +4,7 @@ import itertools
 import numpy as np
 import scipy.io
 import scipy.sparse as sp
+import scipy.spatial
 
 from runner import Case, main, run
 
@@ -85,6 +86,25 @@ class Operators(Case):
         flux = np.array([np.dot(points[list(t)].mean(axis=0) / 3, np.cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])) / 2
                          for t in simplices[2]])
         self.assertLess(abs(d[2] @ flux - 1 / star[3]).max(), 1e-14)
+
+    def test_dual_volumes_of_interior_vertices_are_voronoi_cells(self):
+        for n, count in ((2, 60), (3, 60)):
+            points = np.random.default_rng(n).random((count, n))
+            simplices = scipy.spatial.Delaunay(points).simplices
+            self.file(f"delaunay{n}.node", f"{count} {n} 0 0\n" + "".join(
+                f"{i} " + " ".join(map(repr, map(float, p))) + "\n" for i, p in enumerate(points)))
+            mesh = self.file(f"delaunay{n}.ele", f"{len(simplices)} {n + 1} 0\n" + "".join(
+                f"{i} " + " ".join(map(str, t)) + "\n" for i, t in enumerate(simplices)))
+            self.assertEqual(run("operators", mesh, "--out", self.directory / f"out{n}")[0], 0)
+            lists, _, _, boundary, star = read(self.directory / f"out{n}")
+            rim = np.flatnonzero(abs(boundary[n]).sum(axis=1).A1 == 1)
+            interior = np.setdiff1d(np.arange(count), [v for f in rim for v in lists[n - 1][f]])
+            self.assertGreater(len(interior), 10)
+            voronoi = scipy.spatial.Voronoi(points)
+            for v in interior:
+                cell = voronoi.vertices[voronoi.regions[voronoi.point_region[v]]]
+                volume = scipy.spatial.ConvexHull(cell).volume
+                self.assertLess(abs(star[0][v] - volume), 1e-9 * volume)
 
     def test_without_orientation(self):
         mesh = self.file("moebius.off", "OFF\n5 5 0\n" + "".join(f"{i} {i*i} {i**3}\n" for i in range(5))

@@ -15,8 +15,9 @@ struct DualFlag {
   double signed_volume = 0;  ///< negative where an odd number of circumcentres lie on the far side; units length^(n-k)
 };
 
-/// A dual cell of dimension 0 to 3 as it is drawn. Only on a Delaunay mesh is it convex and free of overlaps; at the
-/// boundary it is closed by the circumcentres of the boundary simplices.
+/// A dual cell of dimension 0 to 3 as it is drawn; at the boundary it is closed by the circumcentres of the boundary simplices.
+/// Its outline passes through the circumcentre of every facet it crosses. On a Delaunay mesh the cell is convex, but where a
+/// facet's circumcentre lies beyond the dual edge the outline runs there and back: a spike without area.
 struct DualCell {
   int dimension = 0;
   std::vector<double> points;                 ///< (number of points, d) circumcentres, without repetition
