@@ -78,7 +78,7 @@ class FormPicture {
  private:
   struct Named {
     std::string name;
-    int degree;
+    int degree = 0;
     std::vector<double> values;
   };
   const SimplicialComplex<n>* K_;
