@@ -226,8 +226,13 @@ class Refusals(Case):
     def test_without_threads(self):
         box = self.generate("box.msh", "box", "--cells", 16)
         for limit in (18000, 20000, 24000, 30000, 60000):
-            done = subprocess.run(["bash", "-c", f'ulimit -v {limit}; exec "$1" info "$2"', "bash", PROGRAM, box], capture_output=True)
-            self.assertIn(done.returncode, (0, 6, 127), done.stderr)
+            def limited(*arguments):
+                command = f'ulimit -v {limit}; exec "$@"'
+                return subprocess.run(["bash", "-c", command, "bash", PROGRAM, *arguments], capture_output=True)
+
+            if limited("--version").returncode == 0:  # else not even the program fits, as with a sanitizer's shadow memory
+                done = limited("info", box)
+                self.assertIn(done.returncode, (0, 6), done.stderr)
 
     def test_json_after_a_mistyped_command(self):
         self.assertIn("info", self.refused(2, "inf", "x")["message"])
