@@ -16,8 +16,9 @@ std::optional<MeshFormat> wanted_format(const Input& input) {
   if (!format)
     throw Failure(Exit::usage, "usage",
                   "unknown format '" + input.format + "'" +
-                      suggestion(input.format, {"tetgen", "gmsh", "off", "obj", "facets"}) +
-                      "; readable formats are tetgen, gmsh, off, obj, facets");
+                      suggestion(input.format, {"tetgen", "gmsh", "medit", "vtk", "vtu", "obj", "off", "ply", "stl",
+                                                "facets", "npz"}) +
+                      "; readable formats are " + readable_formats());
   return format;
 }
 
@@ -51,6 +52,9 @@ void LoadedMesh::remove_rows(std::span<const Offset> rows) {
   kept.simplices = SimplexList();
   kept.corners.clear();
   kept.row_tags.clear();
+  kept.lower.clear();  // what names the rows is of no use to the commands that remove some
+  kept.parts.clear();
+  kept.fields.clear();
   std::size_t next = 0;
   for (Offset row = 0; row < mesh.simplices.size(); ++row) {
     if (next < rows.size() && rows[next] == row) {
@@ -73,8 +77,10 @@ LoadedMesh read_only(const Input& input, Console& console) {
   console.clear_stage();
   loaded.file_tags = std::move(loaded.mesh.vertex_tags);
   loaded.mesh.vertex_tags.clear();
-  if (loaded.mesh.ignored_lower > 0)
-    console.message(text(input.path, ": ignored ", loaded.mesh.ignored_lower, " simplices of lower dimension"));
+  if (loaded.mesh.lower_count() > 0)
+    console.message(text(input.path, ": ", loaded.mesh.lower_count(),
+                         " simplices of lower dimension are tags, not part of the complex"));
+  for (const auto& note : loaded.mesh.notes) console.message(text(input.path, ": ", note));
   return loaded;
 }
 

@@ -21,7 +21,7 @@ TEST(Gmsh, KeepsTheHighestDimensionAndTheTags) {
   EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2, 3}, {1, 2, 3, 4}}));
   EXPECT_EQ(mesh.vertex_tags, (std::vector<std::int64_t>{10, 12, 11, 40, 41}));
   EXPECT_EQ(mesh.row_tags, (std::vector<std::int64_t>{5, 9}));
-  EXPECT_EQ(mesh.ignored_lower, 2);
+  EXPECT_EQ(mesh.lower_count(), 2);
   EXPECT_EQ(mesh.ambient_dimension, 3);
   EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}));
 }
@@ -29,7 +29,7 @@ TEST(Gmsh, KeepsTheHighestDimensionAndTheTags) {
 TEST(Gmsh, KeepsTheHighestDimensionInAnyOrder) {
   const auto mesh = read(header + nodes + "$Elements\n3\n1 1 0 1 2\n2 2 0 1 2 3\n3 1 0 2 3\n$EndElements\n");
   EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2}}));
-  EXPECT_EQ(mesh.ignored_lower, 2);
+  EXPECT_EQ(mesh.lower_count(), 2);
 }
 
 TEST(Gmsh, NodeNumbersMayHaveGapsOfAnySizeAndAnyOrder) {

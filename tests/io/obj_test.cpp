@@ -20,7 +20,7 @@ TEST(Obj, ReadsAllFormsOfCorners) {
   EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}));
   EXPECT_EQ(mesh.vertex_count, 4);
   EXPECT_EQ(mesh.ambient_dimension, 3);
-  EXPECT_EQ(mesh.ignored_lower, 2);
+  EXPECT_EQ(mesh.lower_count(), 2);
 }
 
 TEST(Obj, FacesMayNameLaterVertices) {

@@ -20,7 +20,7 @@ TEST(Off, ReadsTrianglesWithAndWithoutColours) {
   EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}));
   EXPECT_EQ(mesh.ambient_dimension, 3);
   EXPECT_EQ(mesh.vertex_count, 4);
-  EXPECT_EQ(mesh.ignored_lower, 0);
+  EXPECT_EQ(mesh.lower_count(), 0);
 }
 
 TEST(Off, CountsMayStandBesideTheHeaderAndWithoutEdges) {
@@ -31,7 +31,7 @@ TEST(Off, CountsMayStandBesideTheHeaderAndWithoutEdges) {
 TEST(Off, EdgesAndPointsAreOfLowerDimension) {
   const auto mesh = read("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n1 2\n");
   EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2}}));
-  EXPECT_EQ(mesh.ignored_lower, 2);
+  EXPECT_EQ(mesh.lower_count(), 2);
   EXPECT_EQ(read("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n2 1 2\n").simplices, (SimplexList{{0, 1}, {1, 2}}));
 }
 

@@ -74,7 +74,7 @@ TEST(ReadMesh, ReadsMeshesOfOthers) {
     EXPECT_EQ(mesh.ambient_dimension, m) << name;
     EXPECT_EQ(mesh.vertex_count, vertices) << name;
     EXPECT_EQ(mesh.simplices.size(), rows) << name;
-    EXPECT_EQ(mesh.ignored_lower, lower) << name;
+    EXPECT_EQ(mesh.lower_count(), lower) << name;
   };
   expect("cavity2d.ele", 2, 2, 191, 336, 0);
   expect("spot_tets.node", 3, 3, 36917, 173613, 0);

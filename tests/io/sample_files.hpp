@@ -7,9 +7,13 @@
 
 namespace derham::io_test {
 
+/// A small file that damage_test ruins in every way it knows.
 struct SampleFile {
   MeshFormat format;
+  const char* name;  ///< of the test
   std::string_view bytes;
+  bool is_text = true;            ///< line ends and blanks may be varied
+  std::size_t refused_below = 0;  ///< every truncation to fewer bytes must be refused
 };
 
 inline constexpr std::string_view tetgen_sample =
@@ -41,8 +45,11 @@ inline constexpr std::string_view obj_sample =
 inline constexpr std::string_view facets_sample = "# a triangle and a tail\n0 1 2\n\n2 3 # the tail\n4\n";
 
 inline constexpr std::array sample_files{
-    SampleFile{MeshFormat::tetgen, tetgen_sample}, SampleFile{MeshFormat::gmsh, gmsh_sample},
-    SampleFile{MeshFormat::off, off_sample}, SampleFile{MeshFormat::obj, obj_sample},
-    SampleFile{MeshFormat::facets, facets_sample}};
+    SampleFile{MeshFormat::tetgen, "tetgen", tetgen_sample, true, tetgen_sample.find(" 1.5\n")},
+    SampleFile{MeshFormat::gmsh, "gmsh_22_ascii", gmsh_sample, true, gmsh_sample.find("$EndElements") + 11},
+    SampleFile{MeshFormat::off, "off", off_sample, true, off_sample.find(" 3\n", off_sample.size() - 4)},
+    SampleFile{MeshFormat::obj, "obj", obj_sample},
+    SampleFile{MeshFormat::facets, "facets", facets_sample},
+};
 
 }  // namespace derham::io_test

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace derham {
 
@@ -66,7 +67,16 @@ Index Cursor::count(const char* what, std::int64_t record_bytes) {
   return static_cast<Index>(value);
 }
 
+std::string_view Cursor::bytes(std::int64_t count, const char* what) {
+  if (count < 0 || count > remaining())
+    fail(text(what, " takes ", count < 0 ? std::string("more bytes than a file can have") : text(count, " bytes"),
+              ", but the file ends after ", remaining(), " more"));
+  const char* const start = std::exchange(at_, at_ + count);
+  return {start, static_cast<std::size_t>(count)};
+}
+
 void Cursor::fail(const std::string& message) const {
+  if (names_bytes_) throw FileError(FileError::Action::read, name_, 0, text("byte ", offset(), ": ", message));
   // A file that ends with a newline ends on its last line, not on an empty one after it.
   const char* const end = at_ == end_ && at_ != begin_ && end_[-1] == '\n' ? end_ - 1 : at_;
   throw FileError(FileError::Action::read, name_, 1 + std::count(begin_, end, '\n'), message);

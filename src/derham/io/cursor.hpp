@@ -71,10 +71,9 @@ class Cursor {
   /// The next token of the line as a finite real number; out of the range of a double is refused.
   double real(const char* what) {
     double value = 0;
-    const char* const before = at_;
-    accept(value, what);
+    const char* const token = accept(value, what);
     if (!std::isfinite(value)) {
-      at_ = before;
+      at_ = token;
       fail_token("a finite number", what);
     }
     return value;
@@ -100,6 +99,13 @@ class Cursor {
   /// none.
   bool skip_past_line(std::string_view line) noexcept;
 
+  /// The next `count` bytes as they are, e.g. a block of binary numbers. Refused if the file has fewer; a negative
+  /// count, or one that would not fit, counts as more than the file has.
+  std::string_view bytes(std::int64_t count, const char* what);
+
+  /// From here on errors name the byte instead of the line (true), or the line again.
+  void name_bytes(bool on) noexcept { names_bytes_ = on; }
+
   [[nodiscard]] std::int64_t remaining() const noexcept { return end_ - at_; }
   [[nodiscard]] std::int64_t offset() const noexcept { return at_ - begin_; }
   void rewind(std::int64_t offset) noexcept { at_ = begin_ + offset; }
@@ -113,9 +119,11 @@ class Cursor {
  private:
   static bool is_blank(char c) noexcept { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n'); }
 
+  // Returns the start of the token.
   template <class Number>
-  void accept(Number& value, const char* what) {
+  const char* accept(Number& value, const char* what) {
     while (at_ != end_ && is_blank(*at_)) ++at_;
+    const char* const token = at_;
     const char* start = at_;
     if constexpr (std::is_floating_point_v<Number>)  // from_chars takes no plus sign, some writers set it
       if (end_ - at_ > 1 && *at_ == '+' && at_[1] != '-') ++start;
@@ -123,6 +131,7 @@ class Cursor {
     if (error != std::errc() || (end != end_ && !is_blank(*end) && *end != '\n' && *end != comment_))
       fail_number(error, std::is_integral_v<Number>, what);
     at_ = end;
+    return token;
   }
 
   [[noreturn]] void fail_number(std::errc error, bool integral, const char* what) const;
@@ -132,6 +141,7 @@ class Cursor {
   const char *begin_, *end_, *at_;
   std::string name_;
   char comment_;
+  bool names_bytes_ = false;
 };
 
 /// `bytes` in single quotes, at most 40 of them, everything but printable ASCII as \xNN: safe to print anywhere.

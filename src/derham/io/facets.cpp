@@ -9,7 +9,7 @@
 
 namespace derham {
 
-MeshData read_facets(Cursor& file) {
+MeshData read_facets(Cursor& file, const ReadOptions&) {
   constexpr std::int64_t largest_id =
       std::numeric_limits<Index>::max() - 1;  // so that the number of vertices fits, too
   MeshData mesh;
@@ -31,7 +31,7 @@ MeshData read_facets(Cursor& file) {
   return mesh;
 }
 
-void write_facets(TextWriter& file, const MeshData& mesh) {
+void write_facets(TextWriter& file, const MeshData& mesh, const WriteOptions&) {
   for (Offset i = 0; i < mesh.simplices.size(); ++i) {
     char separator = '\0';
     for (const Index v : mesh.simplices[i]) {

@@ -2,8 +2,11 @@
 
 #include "derham/geometry/mesh_data.hpp"
 #include "derham/io/cursor.hpp"
+#include "derham/io/mesh_format.hpp"
+#include "derham/io/options.hpp"
 #include "derham/io/text_writer.hpp"
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,16 +15,36 @@ namespace derham {
 
 /// Both parts may be in one file: then both arguments are the same cursor.
 [[nodiscard]] MeshData read_tetgen(Cursor& nodes, Cursor& simplices);
-[[nodiscard]] MeshData read_gmsh(Cursor& file);
-[[nodiscard]] MeshData read_off(Cursor& file);
-[[nodiscard]] MeshData read_obj(Cursor& file);
-[[nodiscard]] MeshData read_facets(Cursor& file);
+[[nodiscard]] MeshData read_gmsh(Cursor& file, const ReadOptions& options);
+[[nodiscard]] MeshData read_off(Cursor& file, const ReadOptions& options);
+[[nodiscard]] MeshData read_obj(Cursor& file, const ReadOptions& options);
+[[nodiscard]] MeshData read_facets(Cursor& file, const ReadOptions& options);
 
 void write_tetgen(TextWriter& nodes, TextWriter& simplices, const MeshData& mesh);
-void write_gmsh(TextWriter& file, const MeshData& mesh);
-void write_off(TextWriter& file, const MeshData& mesh);
-void write_obj(TextWriter& file, const MeshData& mesh);
-void write_facets(TextWriter& file, const MeshData& mesh);
+void write_gmsh(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
+void write_off(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
+void write_obj(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
+void write_facets(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
+void write_vtu(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
+
+/// What a format is called, how its files are found, and what they can hold.
+struct FormatTraits {
+  MeshFormat format;
+  std::string_view name;
+  std::string_view extensions;  ///< separated by blanks
+  std::string_view magic;       ///< how every file begins; empty: not by anything fixed
+  char comment;                 ///< Cursor::no_comment if there are none, or the reader sees to them
+  MeshData (*read)(Cursor&, const ReadOptions&);
+  void (*write)(TextWriter&, const MeshData&, const WriteOptions&);
+
+  int least_dimension, largest_dimension;  ///< n of the meshes it can hold
+  int least_ambient, largest_ambient;      ///< m
+  bool holds_parts, holds_lower, holds_fields;
+};
+
+/// All formats, in the order of the enumerators. Null functions: not read, not written, or (tetgen) in several files.
+[[nodiscard]] std::span<const FormatTraits> format_table() noexcept;
+[[nodiscard]] const FormatTraits& format_traits(MeshFormat format) noexcept;
 
 /// Whether a line of an OBJ file may begin with `word`.
 [[nodiscard]] bool is_obj_keyword(std::string_view word) noexcept;

@@ -1,6 +1,6 @@
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
-#include "derham/io/top_rows.hpp"
+#include "derham/io/listed_simplices.hpp"
 
 #include <algorithm>
 #include <array>
@@ -134,7 +134,7 @@ std::size_t element_width(const Cursor& file, std::int64_t type) {
            "; expected points (15), lines (1), triangles (2) or tetrahedra (4): mesh with simplices of first order"));
 }
 
-void read_elements(Cursor& file, const NodePositions& nodes, TopRows& rows) {
+void read_elements(Cursor& file, const NodePositions& nodes, ListedSimplices& rows) {
   if (!file.next_line()) file.fail_token("the number of elements", nullptr);
   const Index count = file.count("the number of elements", 8);
   file.end_line();
@@ -165,11 +165,11 @@ void demand_line(Cursor& file, const std::string& line) {
 
 }  // namespace
 
-MeshData read_gmsh(Cursor& file) {
+MeshData read_gmsh(Cursor& file, const ReadOptions&) {
   MeshData mesh;
   mesh.ambient_dimension = 3;
   std::optional<NodePositions> nodes;
-  TopRows rows;
+  ListedSimplices rows;
   bool has_header = false, has_elements = false;
   while (file.next_line()) {
     const auto start = file.offset();
@@ -208,7 +208,7 @@ MeshData read_gmsh(Cursor& file) {
   return mesh;
 }
 
-void write_gmsh(TextWriter& file, const MeshData& mesh) {
+void write_gmsh(TextWriter& file, const MeshData& mesh, const WriteOptions&) {
   const auto m = static_cast<std::size_t>(mesh.ambient_dimension);
   file.put("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n").put(mesh.vertex_count).put('\n');
   for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.vertex_count); ++i) {

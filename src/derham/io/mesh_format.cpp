@@ -11,14 +11,24 @@
 namespace derham {
 namespace {
 
-struct Extension {
-  std::string_view name;
-  MeshFormat format;
+constexpr auto none = Cursor::no_comment;
+
+constexpr std::array table{
+    // clang-format off
+    //            format              name      extensions  magic              comment  reader       writer        n     m     parts  lower  fields
+    FormatTraits{MeshFormat::tetgen, "tetgen", "node ele", "",                    '#',  nullptr,     nullptr,      2, 3, 2, 3, false, false, false},
+    FormatTraits{MeshFormat::gmsh,   "gmsh",   "msh",      "$",                   none, read_gmsh,   write_gmsh,   0, 3, 1, 3, false, false, false},
+    FormatTraits{MeshFormat::medit,  "medit",  "mesh",     "MeshVersionFormatted", '#', nullptr,     nullptr,      0, 3, 2, 3, false, false, false},
+    FormatTraits{MeshFormat::vtk,    "vtk",    "vtk",      "# vtk DataFile",      none, nullptr,     nullptr,      0, 3, 1, 3, false, false, false},
+    FormatTraits{MeshFormat::vtu,    "vtu",    "vtu",      "<",                   none, nullptr,     write_vtu,    0, 3, 1, 3, false, false, false},
+    FormatTraits{MeshFormat::obj,    "obj",    "obj",      "",                    '#',  read_obj,    write_obj,    0, 2, 1, 3, false, false, false},
+    FormatTraits{MeshFormat::off,    "off",    "off",      "OFF",                 '#',  read_off,    write_off,    0, 2, 1, 3, false, false, false},
+    FormatTraits{MeshFormat::ply,    "ply",    "ply",      "ply",                 none, nullptr,     nullptr,      0, 2, 1, 3, false, false, false},
+    FormatTraits{MeshFormat::stl,    "stl",    "stl",      "solid",               none, nullptr,     nullptr,      2, 2, 3, 3, false, false, false},
+    FormatTraits{MeshFormat::facets, "facets", "facets",   "",                    '#',  read_facets, write_facets, 0, 6, 0, 6, false, false, false},
+    FormatTraits{MeshFormat::npz,    "npz",    "npz",      "PK",                  none, nullptr,     nullptr,      0, 6, 0, 6, false, false, false},
+    // clang-format on
 };
-constexpr std::array extensions{Extension{"node", MeshFormat::tetgen}, Extension{"ele", MeshFormat::tetgen},
-                                Extension{"msh", MeshFormat::gmsh},    Extension{"off", MeshFormat::off},
-                                Extension{"obj", MeshFormat::obj},     Extension{"facets", MeshFormat::facets},
-                                Extension{"vtu", MeshFormat::vtu}};
 
 std::string extension_of(std::string_view path) {
   const auto name = path.substr(path.find_last_of('/') + 1);
@@ -29,45 +39,71 @@ std::string extension_of(std::string_view path) {
   return extension;
 }
 
+bool is_word_of(std::string_view words, std::string_view word) {
+  for (std::size_t begin = 0; begin < words.size();) {
+    const auto end = std::min(words.find(' ', begin), words.size());
+    if (words.substr(begin, end - begin) == word) return true;
+    begin = end + 1;
+  }
+  return false;
+}
+
+template <class Condition>
+std::string names_where(Condition condition) {
+  std::string out;
+  for (const auto& traits : table)
+    if (condition(traits)) (out += out.empty() ? "" : ", ") += traits.name;
+  return out;
+}
+
+bool is_read(const FormatTraits& traits) { return traits.read != nullptr || traits.format == MeshFormat::tetgen; }
+
 }  // namespace
 
-const char* format_name(MeshFormat format) noexcept {
-  constexpr std::array names{"tetgen", "gmsh", "off", "obj", "facets", "vtu"};
-  return names[static_cast<std::size_t>(format)];
+std::span<const FormatTraits> format_table() noexcept { return table; }
+const FormatTraits& format_traits(MeshFormat format) noexcept { return table[static_cast<std::size_t>(format)]; }
+
+const char* format_name(MeshFormat format) noexcept { return format_traits(format).name.data(); }
+
+std::string readable_formats() { return names_where(is_read); }
+std::string writable_formats() {
+  return names_where([](const auto& t) { return t.write != nullptr || t.format == MeshFormat::tetgen; });
 }
 
 std::optional<MeshFormat> format_by_name(std::string_view name) noexcept {
-  for (const auto& [extension, format] : extensions)
-    if (name == format_name(format)) return format;
+  for (const auto& traits : table)
+    if (name == traits.name) return traits.format;
   return {};
 }
 
 std::optional<MeshFormat> format_by_extension(std::string_view path) {
-  const auto* const found = std::ranges::find(extensions, std::string_view(extension_of(path)), &Extension::name);
-  if (found == extensions.end()) return {};
-  return found->format;
+  const auto extension = extension_of(path);
+  for (const auto& traits : table)
+    if (!extension.empty() && is_word_of(traits.extensions, extension)) return traits.format;
+  return {};
 }
 
 MeshFormat detect_format(const std::string& path, std::string_view bytes) {
   Cursor cursor(bytes, path, '#');
   std::string_view first;
   if (cursor.next_line()) first = cursor.word("a token");
-  if (first.starts_with("$")) return MeshFormat::gmsh;
-  if (first == "OFF") return MeshFormat::off;
+  for (const auto& traits : table)
+    if (!traits.magic.empty() && is_read(traits) &&
+        (bytes.starts_with(traits.magic) || first.starts_with(traits.magic)))
+      return traits.format;
   if (is_obj_keyword(first)) return MeshFormat::obj;
 
   const auto format = format_by_extension(path);
-  if (format && format != MeshFormat::vtu) return *format;
+  if (format && is_read(format_traits(*format))) return *format;
   const auto extension = extension_of(path);
-  constexpr std::array unread{"vtu",  "vtk",  "vtp",  "ply",   "stl", "mesh", "meshb",
-                              "poly", "face", "edge", "smesh", "inp", "xdmf"};
+  constexpr std::array unread{"vtp", "meshb", "poly", "smesh", "inp", "xdmf", "stp", "step", "iges", "bdf", "cgns"};
   if (!format && std::ranges::find(unread, extension) == unread.end() && !first.empty() && first[0] >= '0' &&
       first[0] <= '9')
     return MeshFormat::facets;
   throw FileError(FileError::Action::read, path, 0,
                   text("not a mesh format that derham reads: ",
                        first.empty() ? "the file has no content" : "it begins with " + quoted_token(first),
-                       "; expected TetGen .node/.ele, Gmsh .msh 2.2, .off, .obj or .facets"));
+                       "; expected one of ", readable_formats()));
 }
 
 }  // namespace derham

@@ -1,7 +1,7 @@
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
-#include "derham/io/top_rows.hpp"
+#include "derham/io/listed_simplices.hpp"
 
 #include <algorithm>
 #include <array>
@@ -100,10 +100,10 @@ bool is_obj_keyword(std::string_view word) noexcept {
   return word == "v" || word == "f" || word == "l" || word == "p" || std::ranges::binary_search(skipped_keywords, word);
 }
 
-MeshData read_obj(Cursor& file) {
+MeshData read_obj(Cursor& file, const ReadOptions&) {
   MeshData mesh;
   mesh.ambient_dimension = 3;
-  TopRows rows;
+  ListedSimplices rows;
   Corners corners(file);
   std::array<Index, 3> row{};
   const auto next_corner = [&] { return corners.next(mesh.vertex_count); };
@@ -144,7 +144,7 @@ MeshData read_obj(Cursor& file) {
   return mesh;
 }
 
-void write_obj(TextWriter& file, const MeshData& mesh) {
+void write_obj(TextWriter& file, const MeshData& mesh, const WriteOptions&) {
   const auto m = static_cast<std::size_t>(mesh.ambient_dimension);
   for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.vertex_count); ++i) {
     file.put('v');

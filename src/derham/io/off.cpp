@@ -1,13 +1,13 @@
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
-#include "derham/io/top_rows.hpp"
+#include "derham/io/listed_simplices.hpp"
 
 #include <array>
 #include <limits>
 
 namespace derham {
 
-MeshData read_off(Cursor& file) {
+MeshData read_off(Cursor& file, const ReadOptions&) {
   if (!file.next_line()) file.fail_token("the header OFF", nullptr);
   const auto start = file.offset();
   if (const auto header = file.word("the header OFF"); header != "OFF") {
@@ -35,7 +35,7 @@ MeshData read_off(Cursor& file) {
     file.end_line();
   }
 
-  TopRows rows;
+  ListedSimplices rows;
   std::array<Index, 3> row{};
   for (Index i = 0; i < faces; ++i) {
     if (!file.next_line()) file.fail(text("the file ends after ", i, " of ", faces, " faces"));
@@ -55,7 +55,7 @@ MeshData read_off(Cursor& file) {
   return mesh;
 }
 
-void write_off(TextWriter& file, const MeshData& mesh) {
+void write_off(TextWriter& file, const MeshData& mesh, const WriteOptions&) {
   const auto m = static_cast<std::size_t>(mesh.ambient_dimension);
   file.put("OFF\n").put(mesh.vertex_count).put(' ').put(mesh.simplices.size()).put(" 0\n");
   for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.vertex_count); ++i)

@@ -19,31 +19,47 @@ FileBytes companion(const std::string& path, const std::string& of) {
   }
 }
 
-}  // namespace
-
-MeshData read_mesh_from_memory(std::string_view bytes, MeshFormat format, const std::string& name) {
-  if (bytes.empty() && format != MeshFormat::facets)  // no facets make the empty complex
-    throw FileError(FileError::Action::read, name, 0, "the file is empty");
-  Cursor file(bytes, name, format == MeshFormat::gmsh ? Cursor::no_comment : '#');
-  switch (format) {
-    case MeshFormat::tetgen:
-      return read_tetgen(file, file);
-    case MeshFormat::gmsh:
-      return read_gmsh(file);
-    case MeshFormat::off:
-      return read_off(file);
-    case MeshFormat::obj:
-      return read_obj(file);
-    case MeshFormat::facets:
-      return read_facets(file);
-    case MeshFormat::vtu:
-      break;
-  }
-  throw FileError(FileError::Action::read, name, 0,
-                  text("derham writes ", format_name(format), " but does not read it"));
+// What the options ask of every format alike.
+MeshData finished(MeshData mesh, const ReadOptions& options) {
+  if (options.planar && mesh.ambient_dimension == 3 && !flatten_plane(mesh))
+    mesh.notes.emplace_back("some third coordinate is not 0: read as a mesh in space, not in the plane");
+  return mesh;
 }
 
-MeshData read_mesh(const std::string& path, std::optional<MeshFormat> format) {
+}  // namespace
+
+bool flatten_plane(MeshData& mesh) {
+  if (mesh.ambient_dimension != 3) return false;
+  const auto drop_third = [](std::vector<double>& positions) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      if (i % 3 != 2) positions[kept++] = positions[i];
+    positions.resize(kept);
+  };
+  for (const auto* positions : {&mesh.points, &mesh.corners})
+    for (std::size_t i = 2; i < positions->size(); i += 3)
+      if ((*positions)[i] != 0) return false;
+  drop_third(mesh.points);
+  drop_third(mesh.corners);
+  mesh.ambient_dimension = 2;
+  mesh.notes.emplace_back("every third coordinate is 0: read as a mesh in the plane");
+  return true;
+}
+
+MeshData read_mesh_from_memory(std::string_view bytes, MeshFormat format, const std::string& name,
+                               const ReadOptions& options) {
+  if (bytes.empty() && format != MeshFormat::facets)  // no facets make the empty complex
+    throw FileError(FileError::Action::read, name, 0, "the file is empty");
+  const auto& traits = format_traits(format);
+  Cursor file(bytes, name, traits.comment);
+  if (format == MeshFormat::tetgen) return finished(read_tetgen(file, file), options);
+  if (traits.read == nullptr)
+    throw FileError(FileError::Action::read, name, 0,
+                    text("derham writes ", format_name(format), " but does not read it"));
+  return finished(traits.read(file, options), options);
+}
+
+MeshData read_mesh(const std::string& path, std::optional<MeshFormat> format, const ReadOptions& options) {
   const FileBytes bytes(path);
   const std::string name = path == "-" ? "stdin" : path;
   if (!format && bytes.view().empty() && format_by_extension(name) != MeshFormat::facets)
@@ -51,13 +67,13 @@ MeshData read_mesh(const std::string& path, std::optional<MeshFormat> format) {
   if (!format) format = detect_format(name, bytes.view());
   const auto [node_path, ele_path] = tetgen_paths(path);
   const bool is_pair = *format == MeshFormat::tetgen && (path == node_path || path == ele_path);
-  if (!is_pair) return read_mesh_from_memory(bytes.view(), *format, name);
+  if (!is_pair) return read_mesh_from_memory(bytes.view(), *format, name, options);
 
   const bool is_ele = path == ele_path;
   const FileBytes other = companion(is_ele ? node_path : ele_path, path);
   Cursor nodes(is_ele ? other.view() : bytes.view(), node_path, '#');
   Cursor simplices(is_ele ? bytes.view() : other.view(), ele_path, '#');
-  return read_tetgen(nodes, simplices);
+  return finished(read_tetgen(nodes, simplices), options);
 }
 
 }  // namespace derham

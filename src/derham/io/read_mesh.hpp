@@ -2,6 +2,7 @@
 
 #include "derham/geometry/mesh_data.hpp"
 #include "derham/io/mesh_format.hpp"
+#include "derham/io/options.hpp"
 
 #include <optional>
 #include <string>
@@ -20,16 +21,21 @@ namespace derham {
 /// facets   m = 0 (abstract): one simplex of 1 to 7 vertex ids per line, dimensions may be mixed; no line: empty complex.
 ///
 /// The simplices of the highest dimension in the file are the rows, in the file's order (facets: every line is a row);
-/// `ignored_lower` counts the others. `vertex_tags` and `row_tags` hold the file's numbers where they are not 0, 1, 2….
+/// `lower` and `parts` hold the others and what they name. `vertex_tags` and `row_tags` hold the file's numbers where they are not 0, 1, 2….
 /// Vertex ids are positions in the file and lie in [0, vertex_count); whether rows repeat or vertices are unused is not
 /// checked here.
 /// Throws   FileError (file, line, what was found, what was expected) for everything else that is wrong, among it wrong
 ///          counts, truncation, positions that are not finite, polygons and elements that are no simplices;
 ///          LimitError if the mesh overflows the index type or the file half of the memory
-[[nodiscard]] MeshData read_mesh(const std::string& path, std::optional<MeshFormat> format = {});
+[[nodiscard]] MeshData read_mesh(const std::string& path, std::optional<MeshFormat> format = {},
+                                 const ReadOptions& options = {});
 
 /// As `read_mesh`, from bytes in memory; `name` stands for the file in messages. For tetgen the bytes of the .ele file
 /// follow those of the .node file.
-[[nodiscard]] MeshData read_mesh_from_memory(std::string_view bytes, MeshFormat format, const std::string& name);
+[[nodiscard]] MeshData read_mesh_from_memory(std::string_view bytes, MeshFormat format, const std::string& name,
+                                             const ReadOptions& options = {});
+
+/// Makes a mesh in space whose third coordinates are all zero one in the plane. False if it is no such mesh.
+bool flatten_plane(MeshData& mesh);
 
 }  // namespace derham

@@ -2,15 +2,19 @@
 
 #include "derham/io/atomic_file.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <concepts>
 #include <memory>
 #include <string_view>
+#include <type_traits>
 
 namespace derham {
 
-/// Buffered text into an AtomicFile: integers and shortest doubles that read back to the same bits, locale-free.
+/// Buffered text into an AtomicFile: integers and shortest doubles that read back to the same bits, locale-free; and
+/// raw bytes for binary formats.
 class TextWriter {
  public:
   explicit TextWriter(AtomicFile& file) : file_(file), buffer_(std::make_unique_for_overwrite<char[]>(capacity)) {}
@@ -29,6 +33,18 @@ class TextWriter {
   TextWriter& put(Number value) {
     make_room();
     used_ = static_cast<std::size_t>(std::to_chars(&buffer_[used_], &buffer_[0] + capacity, value).ptr - &buffer_[0]);
+    return *this;
+  }
+
+  /// The bytes of a number, in the order of this machine, or (`swap`) in the other one.
+  template <class Number>
+  TextWriter& put_bytes(Number value, bool swap = false) {
+    static_assert(std::is_arithmetic_v<Number> && sizeof value <= longest_token);
+    make_room();
+    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+    if (swap) std::ranges::reverse(bytes);
+    std::ranges::copy(bytes, &buffer_[used_]);
+    used_ += sizeof value;
     return *this;
   }
 

@@ -4,7 +4,9 @@
 #include "derham/core/text.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -36,6 +38,29 @@ std::vector<Index> used_vertices(const MeshData& mesh) {
   return used;
 }
 
+// Keeps the simplices of lower dimension that `keep` accepts, and renumbers the members of parts.
+template <class Keep>
+void keep_lower(MeshData& mesh, Keep keep) {
+  for (int k = 0; k < static_cast<int>(mesh.lower.size()); ++k) {
+    auto& list = mesh.lower[static_cast<std::size_t>(k)];
+    SimplexList rest;
+    std::vector<Index> position(static_cast<std::size_t>(list.size()), -1);
+    for (Offset i = 0; i < list.size(); ++i) {
+      if (!keep(list[i])) continue;
+      position[static_cast<std::size_t>(i)] = static_cast<Index>(rest.size());
+      rest.push_back(list[i]);
+    }
+    if (rest.size() == list.size()) continue;
+    list = std::move(rest);
+    if (k == 0) continue;  // parts of degree 0 name vertices
+    for (auto& part : mesh.parts) {
+      if (part.degree != k) continue;
+      for (Index& member : part.members) member = position[static_cast<std::size_t>(member)];
+      std::erase(part.members, -1);
+    }
+  }
+}
+
 }  // namespace
 
 Index first_unused_vertex(const MeshData& mesh) {
@@ -57,18 +82,35 @@ Index drop_unused_vertices(MeshData& mesh) {
   const Index dropped = mesh.vertex_count - count;
   if (dropped == 0) return 0;
 
-  for (Index& v : mesh.simplices.vertices()) v = static_cast<Index>(std::ranges::lower_bound(used, v) - used.begin());
-
-  std::vector<std::int64_t> tags;
-  std::vector<double> points;
-  const auto m = static_cast<std::size_t>(mesh.ambient_dimension);
-  for (const Index v : used) {
-    const auto old = static_cast<std::size_t>(v);
-    tags.push_back(mesh.vertex_tags.empty() ? v : mesh.vertex_tags[old]);
-    if (mesh.has_points()) points.insert(points.end(), &mesh.points[old * m], &mesh.points[old * m] + m);
+  const auto position = [&](Index v) { return static_cast<Index>(std::ranges::lower_bound(used, v) - used.begin()); };
+  const auto is_used = [&](Index v) { return std::ranges::binary_search(used, v); };
+  keep_lower(mesh, [&](std::span<const Index> simplex) { return std::ranges::all_of(simplex, is_used); });
+  for (auto& part : mesh.parts) {
+    if (part.degree != 0 || mesh.simplices.dimension() == 0) continue;
+    std::erase_if(part.members, [&](Index v) { return !is_used(v); });
+    for (Index& v : part.members) v = position(v);
   }
+  for (Index& v : mesh.simplices.vertices()) v = position(v);
+  for (auto& list : mesh.lower)
+    for (Index& v : list.vertices()) v = position(v);
+
+  const auto kept = [&](const std::vector<double>& values, int width) {
+    std::vector<double> out;
+    out.reserve(used.size() * static_cast<std::size_t>(width));
+    for (const Index v : used) {
+      const auto first = values.begin() + static_cast<std::ptrdiff_t>(v) * width;
+      out.insert(out.end(), first, first + width);
+    }
+    return out;
+  };
+  if (mesh.has_points()) mesh.points = kept(mesh.points, mesh.ambient_dimension);
+  for (auto& field : mesh.fields)
+    if (field.on == MeshField::On::vertices) field.values = kept(field.values, field.components);
+  std::vector<std::int64_t> tags;
+  tags.reserve(used.size());
+  for (const Index v : used)
+    tags.push_back(mesh.vertex_tags.empty() ? v : mesh.vertex_tags[static_cast<std::size_t>(v)]);
   mesh.vertex_tags = std::move(tags);
-  mesh.points = std::move(points);
   mesh.vertex_count = count;
   return dropped;
 }

@@ -3,6 +3,8 @@
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/atomic_file.hpp"
+#include "derham/io/formats.hpp"
+#include "derham/io/text_writer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,28 +14,6 @@
 
 namespace derham {
 namespace {
-
-constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
-
-// Raw numbers, collected to chunks.
-class BinaryWriter {
- public:
-  explicit BinaryWriter(AtomicFile& file) : file_(file) { buffer_.reserve(chunk_bytes); }
-  template <class Number>
-  void put(Number value) {
-    if (buffer_.size() + sizeof value > chunk_bytes) flush();
-    const auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
-  }
-  void flush() {
-    file_.write({buffer_.data(), buffer_.size()});
-    buffer_.clear();
-  }
-
- private:
-  AtomicFile& file_;
-  std::vector<char> buffer_;
-};
 
 std::string escaped(std::string_view name) {
   std::string out;
@@ -131,6 +111,14 @@ VtuFile& VtuFile::cell_data(std::string name, Values values, int components) {
 }
 
 void VtuFile::write(const std::string& path) const {
+  AtomicFile file(path);
+  TextWriter writer(file);
+  write(writer);
+  writer.flush();
+  file.commit();
+}
+
+void VtuFile::write(TextWriter& file) const {
   const auto ids = simplices_.vertices();
   const auto point_count = one_point_per_corner_ ? ids.size() : static_cast<std::size_t>(vertex_count_);
   const auto cell_count = static_cast<std::size_t>(simplices_.size());
@@ -159,25 +147,22 @@ void VtuFile::write(const std::string& path) const {
     header.array(type_name(a.values), a.name, a.components, array_bytes(a, cell_count));
   header.line("      </CellData>\n    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">");
 
-  AtomicFile file(path);
-  file.write(header.xml());
-  file.write("_");
-  BinaryWriter data(file);
-  const auto begin_block = [&](std::size_t bytes) { data.put(static_cast<std::uint64_t>(bytes)); };
+  file.put(header.xml()).put('_');
+  const auto begin_block = [&](std::size_t bytes) { file.put_bytes(static_cast<std::uint64_t>(bytes)); };
 
   const auto m = static_cast<std::size_t>(ambient_dimension_);
   begin_block(point_count * 3 * sizeof(double));
   for (std::size_t i = 0; i < point_count; ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis) data.put(axis < m ? points_[i * m + axis] : 0.0);
+    for (std::size_t axis = 0; axis < 3; ++axis) file.put_bytes(axis < m ? points_[i * m + axis] : 0.0);
   begin_block(ids.size() * int64_bytes);
   for (std::size_t i = 0; i < ids.size(); ++i)
-    data.put(one_point_per_corner_ ? static_cast<std::int64_t>(i) : std::int64_t{ids[i]});
+    file.put_bytes(one_point_per_corner_ ? static_cast<std::int64_t>(i) : std::int64_t{ids[i]});
   begin_block(cell_count * int64_bytes);
   std::int64_t end = 0;
-  for (Offset i = 0; i < simplices_.size(); ++i) data.put(end += static_cast<std::int64_t>(simplices_[i].size()));
+  for (Offset i = 0; i < simplices_.size(); ++i) file.put_bytes(end += static_cast<std::int64_t>(simplices_[i].size()));
   begin_block(cell_count);
   constexpr std::array<std::uint8_t, 4> cell_types{1, 3, 5, 10};  // VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA
-  for (Offset i = 0; i < simplices_.size(); ++i) data.put(cell_types[simplices_[i].size() - 1]);
+  for (Offset i = 0; i < simplices_.size(); ++i) file.put_bytes(cell_types[simplices_[i].size() - 1]);
 
   for (const auto& a : point_arrays_) {
     begin_block(array_bytes(a, point_count));
@@ -186,7 +171,7 @@ void VtuFile::write(const std::string& path) const {
         [&](auto values) {
           for (std::size_t i = 0; i < point_count; ++i) {
             const std::size_t vertex = one_point_per_corner_ ? static_cast<std::size_t>(ids[i]) : i;
-            for (std::size_t c = 0; c < width; ++c) data.put(values[vertex * width + c]);
+            for (std::size_t c = 0; c < width; ++c) file.put_bytes(values[vertex * width + c]);
           }
         },
         a.values);
@@ -195,13 +180,13 @@ void VtuFile::write(const std::string& path) const {
     begin_block(array_bytes(a, cell_count));
     std::visit(
         [&](auto values) {
-          for (const auto value : values) data.put(value);
+          for (const auto value : values) file.put_bytes(value);
         },
         a.values);
   }
-  data.flush();
-  file.write("\n  </AppendedData>\n</VTKFile>\n");
-  file.commit();
+  file.put("\n  </AppendedData>\n</VTKFile>\n");
 }
+
+void write_vtu(TextWriter& file, const MeshData& mesh, const WriteOptions&) { VtuFile(mesh).write(file); }
 
 }  // namespace derham

@@ -12,6 +12,8 @@
 
 namespace derham {
 
+class TextWriter;
+
 /// A VTK unstructured grid (.vtu, raw appended data, 64-bit headers) that ParaView and VTK open: simplices with data.
 ///
 ///   VtuFile(mesh).point_data("temperature", u.values()).cell_data("sign", signs).write("heat.vtu");
@@ -42,6 +44,7 @@ class VtuFile {
 
   /// Writes the file, complete or not at all; "-" is standard output. Throws FileError if it cannot be written.
   void write(const std::string& path) const;
+  void write(TextWriter& file) const;
 
  private:
   struct Array {

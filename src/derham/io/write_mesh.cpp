@@ -5,7 +5,6 @@
 #include "derham/io/atomic_file.hpp"
 #include "derham/io/formats.hpp"
 #include "derham/io/text_writer.hpp"
-#include "derham/io/vtu_file.hpp"
 
 namespace derham {
 namespace {
@@ -21,64 +20,67 @@ void require_sound(const MeshData& mesh) {
                           mesh.ambient_dimension, "; expected ", expected));
 }
 
-void require_fit(const MeshData& mesh, MeshFormat format) {
+void require_fit(const MeshData& mesh, const FormatTraits& format) {
   const auto refuse = [&](const auto&... reason) {
-    throw InputError(
-        text("format ", format_name(format), " ", reason..., "; .facets holds any complex without positions"));
+    throw InputError(text("format ", format.name, " ", reason..., "; .facets holds any complex without positions"));
   };
   const int n = mesh.simplices.dimension();
   const int m = mesh.ambient_dimension;
-  if (mesh.has_corners()) refuse("has one position per vertex, a periodic mesh has not; .vtu holds it for pictures");
-  if (!mesh.has_points() && mesh.vertex_count > 0) refuse("needs positions, this mesh has none");
+  if (mesh.has_corners() && format.format != MeshFormat::vtu)
+    refuse("has one position per vertex, a periodic mesh has not; .vtu holds it for pictures");
+  if (!mesh.has_points() && !mesh.has_corners() && mesh.vertex_count > 0) refuse("needs positions, this mesh has none");
   if (!mesh.simplices.is_uniform()) refuse("holds simplices of one dimension, this mesh has several");
-  const int largest = format == MeshFormat::off || format == MeshFormat::obj ? 2 : 3;
-  if (n > largest) refuse("holds simplices of dimension at most ", largest, ", this mesh has dimension ", n);
-  if (m > 3) refuse("holds positions in at most 3 dimensions, this mesh has ", m);
-  if (format == MeshFormat::tetgen && !mesh.simplices.empty() && (n < 2 || m < 2))
-    refuse("holds triangles and tetrahedra in 2 or 3 dimensions, this mesh has dimension ", n, " in ", m);
+  if (n > format.largest_dimension)
+    refuse("holds simplices of dimension at most ", format.largest_dimension, ", this mesh has dimension ", n);
+  if (m > format.largest_ambient)
+    refuse("holds positions in at most ", format.largest_ambient, " dimensions, this mesh has ", m);
+  if (!mesh.simplices.empty() && n < format.least_dimension)
+    refuse("holds simplices of dimension at least ", format.least_dimension, ", this mesh has dimension ", n);
 }
 
 }  // namespace
 
-void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format) {
+std::vector<std::string> not_carried(const MeshData& mesh, MeshFormat format) {
+  const auto& traits = format_traits(format);
+  std::vector<std::string> out;
+  const auto lose = [&](const auto&... what) {
+    out.push_back(text("format ", traits.name, " does not hold ", what...));
+  };
+  const bool has_metric = mesh.has_points() || mesh.has_corners();
+  if (traits.largest_ambient > 3 && !traits.holds_fields && has_metric) lose("positions");
+  if (!mesh.parts.empty() && !traits.holds_parts) lose("parts (", mesh.parts.size(), ")");
+  if (mesh.lower_count() > 0 && !traits.holds_lower) lose("simplices of lower dimension (", mesh.lower_count(), ")");
+  if (!mesh.fields.empty() && !traits.holds_fields) lose("fields (", mesh.fields.size(), ")");
+  if (!mesh.forms.empty() && format != MeshFormat::npz) lose("forms (", mesh.forms.size(), ")");
+  if (!mesh.edge_lengths_squared.empty() && format != MeshFormat::npz) lose("edge lengths");
+  return out;
+}
+
+void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format, const WriteOptions& options) {
   require_sound(mesh);
-  if (format == MeshFormat::vtu) return VtuFile(mesh).write(path);
-  if (format != MeshFormat::facets) require_fit(mesh, format);
+  const auto& traits = format_traits(format);
+  if (format != MeshFormat::facets) require_fit(mesh, traits);
 
   const auto [node_path, ele_path] = tetgen_paths(path);
   const bool is_pair = format == MeshFormat::tetgen && path != "-";
   AtomicFile file(is_pair ? node_path : path);
   TextWriter writer(file);
-  switch (format) {
-    case MeshFormat::tetgen: {
-      if (!is_pair) {
-        write_tetgen(writer, writer, mesh);
-        break;
-      }
-      AtomicFile ele_file(ele_path);
-      TextWriter ele_writer(ele_file);
-      write_tetgen(writer, ele_writer, mesh);
-      writer.flush();
-      ele_writer.flush();
-      file.commit();
-      ele_file.commit();
-      return;
-    }
-    case MeshFormat::gmsh:
-      write_gmsh(writer, mesh);
-      break;
-    case MeshFormat::off:
-      write_off(writer, mesh);
-      break;
-    case MeshFormat::obj:
-      write_obj(writer, mesh);
-      break;
-    case MeshFormat::facets:
-      write_facets(writer, mesh);
-      break;
-    case MeshFormat::vtu:
-      break;
+  if (is_pair) {
+    AtomicFile ele_file(ele_path);
+    TextWriter ele_writer(ele_file);
+    write_tetgen(writer, ele_writer, mesh);
+    writer.flush();
+    ele_writer.flush();
+    file.commit();
+    ele_file.commit();
+    return;
   }
+  if (format == MeshFormat::tetgen)
+    write_tetgen(writer, writer, mesh);
+  else if (traits.write != nullptr)
+    traits.write(writer, mesh, options);
+  else
+    throw InputError(text("derham does not write ", traits.name, "; expected one of ", writable_formats()));
   writer.flush();
   file.commit();
 }
@@ -86,8 +88,7 @@ void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format
 void write_mesh(const std::string& path, const MeshData& mesh) {
   const auto format = format_by_extension(path);
   if (!format)
-    throw InputError(text(
-        "'", path, "' has no extension of a mesh format; expected .node, .ele, .msh, .off, .obj, .facets or .vtu"));
+    throw InputError(text("'", path, "' has no extension of a mesh format; expected one of ", writable_formats()));
   write_mesh(path, mesh, *format);
 }
 

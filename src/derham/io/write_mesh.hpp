@@ -2,8 +2,10 @@
 
 #include "derham/geometry/mesh_data.hpp"
 #include "derham/io/mesh_format.hpp"
+#include "derham/io/options.hpp"
 
 #include <string>
+#include <vector>
 
 namespace derham {
 
@@ -18,9 +20,12 @@ namespace derham {
 /// facets   everything, positions are dropped
 /// Throws   InputError if the format cannot hold the mesh or the mesh is unsound (ids outside [0, vertex_count), wrong
 ///          number of positions); FileError if the file cannot be written
-void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format);
+void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format, const WriteOptions& options = {});
 
-/// As above, in the format that the extension of `path` names. Throws InputError if it names none.
+/// What of `mesh` a file of this format cannot hold though it can hold the mesh, one sentence each: parts, fields, ….
+[[nodiscard]] std::vector<std::string> not_carried(const MeshData& mesh, MeshFormat format);
+
+/// As `write_mesh`, in the format that the extension of `path` names. Throws InputError if it names none.
 void write_mesh(const std::string& path, const MeshData& mesh);
 
 }  // namespace derham
