@@ -60,5 +60,11 @@ TEST(Obj, AcceptsWeightOneColoursAndEmptyParts) {
   EXPECT_EQ(read("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0 1 1 1 1\nf 1/ 2// 3//\n").simplices.size(), 1);
 }
 
+TEST(Obj, PolygonsAreSplitOnRequest) {
+  const auto mesh = read_mesh_from_memory(three + "f 1/1 3//2 -2 1\n", MeshFormat::obj, "mesh", {.triangulate = true});
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 2, 1}, {0, 1, 0}}));
+  EXPECT_EQ(mesh.notes, std::vector<std::string>{"split 1 polygon into 2 triangles, fans about first vertices"});
+}
+
 }  // namespace
 }  // namespace derham::io_test

@@ -62,5 +62,13 @@ TEST(Off, RefusesDamage) {
   refused("OFF\n0 1 0\n3 0 0 0\n", 3, "but there are none");
 }
 
+TEST(Off, PolygonsAreSplitOnRequest) {
+  const auto mesh =
+      read_mesh_from_memory("OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 0\n4 0 1 2 3 255 0 0\n3 0 1 2\n5 4 3 2 1 0\n",
+                            MeshFormat::off, "mesh", {.triangulate = true});
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {4, 3, 2}, {4, 2, 1}, {4, 1, 0}}));
+  EXPECT_EQ(mesh.notes, std::vector<std::string>{"split 2 polygons into 5 triangles, fans about first vertices"});
+}
+
 }  // namespace
 }  // namespace derham::io_test

@@ -84,7 +84,11 @@ TEST(ReadMesh, ReadsMeshesOfOthers) {
   expect("three_holes.obj", 2, 3, 1987, 3982, 0);
   expect("hourglass_ico.obj", 2, 3, 23, 40, 0);
   EXPECT_THROW((void)read_mesh(std::string(folder) + "/moebius.obj"), FileError);
-  EXPECT_THROW((void)read_mesh(std::string(folder) + "/spot.ply"), FileError);
+  EXPECT_EQ(read_mesh(std::string(folder) + "/moebius.obj", {}, {.triangulate = true}).simplices.dimension(), 2);
+  expect("spot.ply", 2, 3, 2930, 5856, 0);
+  expect("bob_small.ply", 2, 3, 250, 500, 0);
+  expect("box_ascii.stl", 2, 3, 8, 12, 0);
+  expect("box_binary.stl", 2, 3, 8, 12, 0);
 }
 
 }  // namespace

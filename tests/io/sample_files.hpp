@@ -1,6 +1,8 @@
 #pragma once
 
 #include "derham/io/mesh_format.hpp"
+#include "io/ply_samples.hpp"
+#include "io/stl_samples.hpp"
 
 #include <array>
 #include <string_view>
@@ -49,6 +51,11 @@ inline constexpr std::array sample_files{
     SampleFile{MeshFormat::gmsh, "gmsh_22_ascii", gmsh_sample, true, gmsh_sample.find("$EndElements") + 11},
     SampleFile{MeshFormat::off, "off", off_sample, true, off_sample.find(" 3\n", off_sample.size() - 4)},
     SampleFile{MeshFormat::obj, "obj", obj_sample},
+    SampleFile{MeshFormat::ply, "ply_ascii", ply_ascii_sample, true, ply_ascii_sample.size() - 3},
+    SampleFile{MeshFormat::ply, "ply_little", ply_little_sample, false, ply_little_sample.size()},
+    SampleFile{MeshFormat::ply, "ply_big", ply_big_sample, false, ply_big_sample.size()},
+    SampleFile{MeshFormat::stl, "stl_ascii", stl_ascii_sample, true, stl_ascii_sample.find("endsolid") + 8},
+    SampleFile{MeshFormat::stl, "stl_binary", stl_binary_sample, false, stl_binary_sample.size()},
     SampleFile{MeshFormat::facets, "facets", facets_sample},
 };
 

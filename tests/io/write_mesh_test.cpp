@@ -60,7 +60,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(RoundTrip{"node", 3, 3, 3}, RoundTrip{"ele", 2, 2, 2}, RoundTrip{"ele", 2, 3, 3},
                       RoundTrip{"msh", 3, 3, 3}, RoundTrip{"msh", 2, 2, 3}, RoundTrip{"msh", 1, 3, 3},
                       RoundTrip{"msh", 0, 1, 3}, RoundTrip{"off", 2, 3, 3}, RoundTrip{"off", 1, 2, 3},
-                      RoundTrip{"obj", 2, 3, 3}, RoundTrip{"obj", 1, 2, 3}, RoundTrip{"obj", 0, 3, 3}),
+                      RoundTrip{"obj", 2, 3, 3}, RoundTrip{"obj", 1, 2, 3}, RoundTrip{"obj", 0, 3, 3},
+                      RoundTrip{"ply", 2, 3, 3}, RoundTrip{"ply", 1, 2, 3}, RoundTrip{"ply", 0, 3, 3}),
     [](const auto& test) {
       return std::string(test.param.extension) + std::to_string(test.param.n) + "in" + std::to_string(test.param.m);
     });

@@ -18,12 +18,16 @@ namespace derham {
 [[nodiscard]] MeshData read_gmsh(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_off(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_obj(Cursor& file, const ReadOptions& options);
+[[nodiscard]] MeshData read_ply(Cursor& file, const ReadOptions& options);
+[[nodiscard]] MeshData read_stl(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_facets(Cursor& file, const ReadOptions& options);
 
 void write_tetgen(TextWriter& nodes, TextWriter& simplices, const MeshData& mesh);
 void write_gmsh(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_off(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_obj(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
+void write_ply(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
+void write_stl(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_facets(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_vtu(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 
@@ -48,6 +52,9 @@ struct FormatTraits {
 
 /// Whether a line of an OBJ file may begin with `word`.
 [[nodiscard]] bool is_obj_keyword(std::string_view word) noexcept;
+
+/// Whether these are all the bytes of a binary STL file: its length fits the number of triangles it gives.
+[[nodiscard]] bool is_binary_stl(std::string_view bytes) noexcept;
 
 /// NAME.node and NAME.ele for either of the two, or for NAME itself.
 struct TetgenPaths {

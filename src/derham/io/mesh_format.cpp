@@ -23,8 +23,8 @@ constexpr std::array table{
     FormatTraits{MeshFormat::vtu,    "vtu",    "vtu",      "<",                   none, nullptr,     write_vtu,    0, 3, 1, 3, false, false, false},
     FormatTraits{MeshFormat::obj,    "obj",    "obj",      "",                    '#',  read_obj,    write_obj,    0, 2, 1, 3, false, false, false},
     FormatTraits{MeshFormat::off,    "off",    "off",      "OFF",                 '#',  read_off,    write_off,    0, 2, 1, 3, false, false, false},
-    FormatTraits{MeshFormat::ply,    "ply",    "ply",      "ply",                 none, nullptr,     nullptr,      0, 2, 1, 3, false, false, false},
-    FormatTraits{MeshFormat::stl,    "stl",    "stl",      "solid",               none, nullptr,     nullptr,      2, 2, 3, 3, false, false, false},
+    FormatTraits{MeshFormat::ply,    "ply",    "ply",      "ply",                 none, read_ply,    write_ply,    0, 2, 1, 3, false, false, true},
+    FormatTraits{MeshFormat::stl,    "stl",    "stl",      "solid",               none, read_stl,    write_stl,    2, 2, 3, 3, false, false, false},
     FormatTraits{MeshFormat::facets, "facets", "facets",   "",                    '#',  read_facets, write_facets, 0, 6, 0, 6, false, false, false},
     FormatTraits{MeshFormat::npz,    "npz",    "npz",      "PK",                  none, nullptr,     nullptr,      0, 6, 0, 6, false, false, false},
     // clang-format on
@@ -84,6 +84,7 @@ std::optional<MeshFormat> format_by_extension(std::string_view path) {
 }
 
 MeshFormat detect_format(const std::string& path, std::string_view bytes) {
+  if (is_binary_stl(bytes)) return MeshFormat::stl;  // its first 80 bytes may be anything
   Cursor cursor(bytes, path, '#');
   std::string_view first;
   if (cursor.next_line()) first = cursor.word("a token");

@@ -2,6 +2,7 @@
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
 #include "derham/io/listed_simplices.hpp"
+#include "derham/io/polygons.hpp"
 
 #include <algorithm>
 #include <array>
@@ -100,12 +101,13 @@ bool is_obj_keyword(std::string_view word) noexcept {
   return word == "v" || word == "f" || word == "l" || word == "p" || std::ranges::binary_search(skipped_keywords, word);
 }
 
-MeshData read_obj(Cursor& file, const ReadOptions&) {
+MeshData read_obj(Cursor& file, const ReadOptions& options) {
   MeshData mesh;
   mesh.ambient_dimension = 3;
   ListedSimplices rows;
   Corners corners(file);
-  std::array<Index, 3> row{};
+  Polygons polygons(file, options);
+  std::vector<Index> row(3);
   const auto next_corner = [&] { return corners.next(mesh.vertex_count); };
   while (file.next_line()) {
     const auto start = file.offset();
@@ -113,13 +115,10 @@ MeshData read_obj(Cursor& file, const ReadOptions&) {
     if (keyword == "v") {
       read_vertex(file, mesh);
     } else if (keyword == "f") {
+      row.resize(3);
       for (Index& v : row) v = next_corner();
-      int more = 0;
-      for (; !file.at_line_end(); ++more) (void)next_corner();
-      if (more > 0)
-        file.fail(
-            text("a face with ", 3 + more, " vertices; expected triangles: split the polygons of this file first"));
-      rows.add(row);
+      while (!file.at_line_end()) row.push_back(next_corner());
+      polygons.add(row, rows);
     } else if (keyword == "l") {
       row[0] = next_corner();
       do {
@@ -140,6 +139,7 @@ MeshData read_obj(Cursor& file, const ReadOptions&) {
     }
   }
   corners.finish(mesh.vertex_count);
+  polygons.note_on(mesh);
   std::move(rows).move_to(mesh);
   return mesh;
 }

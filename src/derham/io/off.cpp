@@ -1,13 +1,15 @@
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
 #include "derham/io/listed_simplices.hpp"
+#include "derham/io/polygons.hpp"
 
-#include <array>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace derham {
 
-MeshData read_off(Cursor& file, const ReadOptions&) {
+MeshData read_off(Cursor& file, const ReadOptions& options) {
   if (!file.next_line()) file.fail_token("the header OFF", nullptr);
   const auto start = file.offset();
   if (const auto header = file.word("the header OFF"); header != "OFF") {
@@ -36,21 +38,22 @@ MeshData read_off(Cursor& file, const ReadOptions&) {
   }
 
   ListedSimplices rows;
-  std::array<Index, 3> row{};
+  Polygons polygons(file, options);
+  std::vector<Index> row;
   for (Index i = 0; i < faces; ++i) {
     if (!file.next_line()) file.fail(text("the file ends after ", i, " of ", faces, " faces"));
     const auto width = file.integer("the number of vertices of a face", 1, std::numeric_limits<std::int64_t>::max());
-    if (width > 3)
-      file.fail(text("a face with ", width, " vertices; expected triangles: split the polygons of this file first"));
+    if (width > 3 && !options.triangulate) polygons.refuse(static_cast<std::size_t>(width));
+    row.clear();  // grows with what the line really holds
     for (std::int64_t v = 0; v < width; ++v)
-      row[static_cast<std::size_t>(v)] =
-          static_cast<Index>(file.integer("a vertex id", 0, std::int64_t{mesh.vertex_count} - 1));
+      row.push_back(static_cast<Index>(file.integer("a vertex id", 0, std::int64_t{mesh.vertex_count} - 1)));
     // A colour may follow: an index, or 3 or 4 components.
     for (int part = 0; part < 4 && !file.at_line_end(); ++part) (void)file.real("a colour");
     file.end_line();
-    rows.add(std::span(row).first(static_cast<std::size_t>(width)));
+    polygons.add(row, rows);
   }
   file.end_file();
+  polygons.note_on(mesh);
   std::move(rows).move_to(mesh);
   return mesh;
 }

@@ -16,8 +16,14 @@ namespace derham {
 ///          one says. Triangles (m = 2 or 3) or tetrahedra (m = 3); attributes and markers are checked and dropped. On
 ///          standard input the .ele file follows the .node file.
 /// gmsh     .msh 2.2 ASCII, m = 3 also for planar meshes. Points, lines, triangles and tetrahedra.
-/// off      m = 3; faces of 1 to 3 vertices, with or without colours.
+/// off      m = 3; faces of 1 to 3 vertices, with or without colours; larger ones see ReadOptions::triangulate, as in all
+///          surface formats.
 /// obj      m = 3; p, l and f lines; texture coordinates, normals, groups and materials are skipped.
+/// ply      m = 1 to 3, as there are x, y, z; ASCII and both byte orders. Elements vertex, face (vertex_indices or
+///          vertex_index: 1 to 3 vertices) and edge, in any order; other scalar properties of type float or double are
+///          fields, one each; all else is checked, skipped and (elements) noted.
+/// stl      m = 3, ASCII and binary. Corners at exactly the same place (0 = -0) are one vertex, numbered as they first
+///          appear, and the notes say so; triangles that become flat stay. Several solids are parts. Normals are skipped.
 /// facets   m = 0 (abstract): one simplex of 1 to 7 vertex ids per line, dimensions may be mixed; no line: empty complex.
 ///
 /// The simplices of the highest dimension in the file are the rows, in the file's order (facets: every line is a row);

@@ -6,6 +6,8 @@
 #include "derham/io/formats.hpp"
 #include "derham/io/text_writer.hpp"
 
+#include <algorithm>
+
 namespace derham {
 namespace {
 
@@ -40,7 +42,7 @@ void require_fit(const MeshData& mesh, const FormatTraits& format) {
 
 }  // namespace
 
-std::vector<std::string> not_carried(const MeshData& mesh, MeshFormat format) {
+std::vector<std::string> not_carried(const MeshData& mesh, MeshFormat format, const WriteOptions& options) {
   const auto& traits = format_traits(format);
   std::vector<std::string> out;
   const auto lose = [&](const auto&... what) {
@@ -53,6 +55,13 @@ std::vector<std::string> not_carried(const MeshData& mesh, MeshFormat format) {
   if (!mesh.fields.empty() && !traits.holds_fields) lose("fields (", mesh.fields.size(), ")");
   if (!mesh.forms.empty() && format != MeshFormat::npz) lose("forms (", mesh.forms.size(), ")");
   if (!mesh.edge_lengths_squared.empty() && format != MeshFormat::npz) lose("edge lengths");
+  if (format == MeshFormat::stl) {
+    const auto rounded =
+        std::ranges::count_if(mesh.points, [](double x) { return static_cast<double>(static_cast<float>(x)) != x; });
+    if (rounded > 0 && options.encoding != WriteOptions::Encoding::ascii)
+      out.push_back(text("format stl holds positions as 32-bit numbers: ", rounded, " coordinates are rounded"));
+    lose("the order of vertices");
+  }
   return out;
 }
 

@@ -16,6 +16,9 @@ namespace derham {
 /// tetgen   both NAME.node and NAME.ele, whichever `path` names; triangles with m = 2 or 3, tetrahedra with m = 3
 /// gmsh     dimension n <= 3; m <= 3, padded with zeros to 3, as in
 /// off, obj n <= 2
+/// ply      n <= 2; doubles, binary unless asked otherwise; fields are properties, one per component
+/// stl      n = 2; binary unless asked otherwise: then positions are rounded to 32-bit numbers (`not_carried` says so).
+///          Reading it back numbers the vertices afresh and makes one of those at the same place
 /// vtu      n <= 3; also periodic meshes, one point per corner
 /// facets   everything, positions are dropped
 /// Throws   InputError if the format cannot hold the mesh or the mesh is unsound (ids outside [0, vertex_count), wrong
@@ -23,7 +26,8 @@ namespace derham {
 void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format, const WriteOptions& options = {});
 
 /// What of `mesh` a file of this format cannot hold though it can hold the mesh, one sentence each: parts, fields, ….
-[[nodiscard]] std::vector<std::string> not_carried(const MeshData& mesh, MeshFormat format);
+[[nodiscard]] std::vector<std::string> not_carried(const MeshData& mesh, MeshFormat format,
+                                                   const WriteOptions& options = {});
 
 /// As `write_mesh`, in the format that the extension of `path` names. Throws InputError if it names none.
 void write_mesh(const std::string& path, const MeshData& mesh);

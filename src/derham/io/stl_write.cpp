@@ -1,0 +1,85 @@
+#include "derham/core/error.hpp"
+#include "derham/core/text.hpp"
+#include "derham/io/byte_order.hpp"
+#include "derham/io/formats.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace derham {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector position(const MeshData& mesh, Index v) {
+  Vector out{};
+  const auto m = static_cast<std::size_t>(mesh.ambient_dimension);
+  for (std::size_t axis = 0; axis < m; ++axis) out[axis] = mesh.points[static_cast<std::size_t>(v) * m + axis];
+  return out;
+}
+
+// Of length 1, or 0 where the triangle has no normal.
+Vector normal(const std::array<Vector, 3>& corners) {
+  Vector a, b;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    a[axis] = corners[1][axis] - corners[0][axis];
+    b[axis] = corners[2][axis] - corners[0][axis];
+  }
+  Vector n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  const double length = std::hypot(n[0], n[1], n[2]);
+  const bool exists = length > 0 && std::isfinite(length);
+  for (double& x : n) x = exists ? x / length : 0.0;
+  return n;
+}
+
+void write_ascii(TextWriter& file, const MeshData& mesh) {
+  const auto put = [&](const char* before, const Vector& vector) {
+    file.put(before);
+    for (const double x : vector) file.put(' ').put(x);
+    file.put('\n');
+  };
+  file.put("solid derham\n");
+  for (Offset i = 0; i < mesh.simplices.size(); ++i) {
+    const auto row = mesh.simplices[i];
+    const std::array corners{position(mesh, row[0]), position(mesh, row[1]), position(mesh, row[2])};
+    put("facet normal", normal(corners));
+    file.put("outer loop\n");
+    for (const auto& corner : corners) put("vertex", corner);
+    file.put("endloop\nendfacet\n");
+  }
+  file.put("endsolid derham\n");
+}
+
+void write_binary(TextWriter& file, const MeshData& mesh) {
+  constexpr bool swap = is_foreign_order(true);
+  if (mesh.simplices.size() > Offset{std::numeric_limits<std::uint32_t>::max()})
+    throw InputError(text("format stl counts triangles by 32 bits, this mesh has ", mesh.simplices.size()));
+  for (const double x : mesh.points)
+    if (!std::isfinite(static_cast<float>(x)))
+      throw InputError(text("a coordinate is ", x, ", but binary stl holds numbers up to ",
+                            std::numeric_limits<float>::max(), "; scale the mesh, or write ascii stl"));
+  std::string header = "derham binary STL";  // must not begin with "solid"
+  header.resize(80, ' ');
+  file.put(header).put_bytes(static_cast<std::uint32_t>(mesh.simplices.size()), swap);
+  for (Offset i = 0; i < mesh.simplices.size(); ++i) {
+    const auto row = mesh.simplices[i];
+    const std::array corners{position(mesh, row[0]), position(mesh, row[1]), position(mesh, row[2])};
+    for (const double x : normal(corners)) file.put_bytes(static_cast<float>(x), swap);
+    for (const auto& corner : corners)
+      for (const double x : corner) file.put_bytes(static_cast<float>(x), swap);
+    file.put_bytes(std::uint16_t{0}, swap);
+  }
+}
+
+}  // namespace
+
+void write_stl(TextWriter& file, const MeshData& mesh, const WriteOptions& options) {
+  if (options.encoding == WriteOptions::Encoding::ascii)
+    write_ascii(file, mesh);
+  else
+    write_binary(file, mesh);
+}
+
+}  // namespace derham
