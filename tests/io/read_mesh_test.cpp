@@ -80,6 +80,7 @@ TEST(ReadMesh, ReadsMeshesOfOthers) {
   expect("spot_tets.node", 3, 3, 36917, 173613, 0);
   expect("torus_tet.node", 3, 3, 204, 592, 0);
   expect("nested_cubes.msh", 3, 3, 138, 520, 240);
+  expect("sphere.mesh", 3, 3, 4505, 24013, 2880);
   expect("sphere66.off", 2, 3, 66, 128, 0);
   expect("three_holes.obj", 2, 3, 1987, 3982, 0);
   expect("hourglass_ico.obj", 2, 3, 23, 40, 0);

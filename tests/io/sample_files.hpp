@@ -4,6 +4,8 @@
 #include "io/ply_samples.hpp"
 #include "io/stl_samples.hpp"
 
+#include "io/medit_samples.hpp"
+
 #include <array>
 #include <string_view>
 
@@ -49,6 +51,7 @@ inline constexpr std::string_view facets_sample = "# a triangle and a tail\n0 1 
 inline constexpr std::array sample_files{
     SampleFile{MeshFormat::tetgen, "tetgen", tetgen_sample, true, tetgen_sample.find(" 1.5\n")},
     SampleFile{MeshFormat::gmsh, "gmsh_22_ascii", gmsh_sample, true, gmsh_sample.find("$EndElements") + 11},
+    SampleFile{MeshFormat::medit, "medit", medit_sample, true, medit_sample.find("-2\nCorners") + 2},
     SampleFile{MeshFormat::off, "off", off_sample, true, off_sample.find(" 3\n", off_sample.size() - 4)},
     SampleFile{MeshFormat::obj, "obj", obj_sample},
     SampleFile{MeshFormat::ply, "ply_ascii", ply_ascii_sample, true, ply_ascii_sample.size() - 3},

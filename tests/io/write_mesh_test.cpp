@@ -59,7 +59,8 @@ INSTANTIATE_TEST_SUITE_P(
     Formats, WriteMesh,
     ::testing::Values(RoundTrip{"node", 3, 3, 3}, RoundTrip{"ele", 2, 2, 2}, RoundTrip{"ele", 2, 3, 3},
                       RoundTrip{"msh", 3, 3, 3}, RoundTrip{"msh", 2, 2, 3}, RoundTrip{"msh", 1, 3, 3},
-                      RoundTrip{"msh", 0, 1, 3}, RoundTrip{"off", 2, 3, 3}, RoundTrip{"off", 1, 2, 3},
+                      RoundTrip{"msh", 0, 1, 3}, RoundTrip{"mesh", 3, 3, 3}, RoundTrip{"mesh", 2, 2, 2},
+                      RoundTrip{"mesh", 1, 1, 2}, RoundTrip{"off", 2, 3, 3}, RoundTrip{"off", 1, 2, 3},
                       RoundTrip{"obj", 2, 3, 3}, RoundTrip{"obj", 1, 2, 3}, RoundTrip{"obj", 0, 3, 3},
                       RoundTrip{"ply", 2, 3, 3}, RoundTrip{"ply", 1, 2, 3}, RoundTrip{"ply", 0, 3, 3}),
     [](const auto& test) {
@@ -86,7 +87,7 @@ TEST(WriteMeshRefusals, SayWhatTheFormatHolds) {
   refused("a.obj", mesh);
   refused("a.ply", mesh);
   refused("a", mesh);
-  for (const auto* name : {"a.node", "a.msh", "a.off", "a.obj", "a.vtu"}) {
+  for (const auto* name : {"a.node", "a.msh", "a.mesh", "a.off", "a.obj", "a.vtu"}) {
     refused(name, random_mesh(4, 4, 1));
     refused(name, random_mesh(2, 4, 1));
     MeshData abstract;

@@ -79,6 +79,13 @@ class Cursor {
     return value;
   }
 
+  /// As `real`, but infinities and NaN are taken, too: for fields, where they stand for missing values.
+  double real_or_nan(const char* what) {
+    double value = 0;
+    accept(value, what);
+    return value;
+  }
+
   /// The next token of the line, whatever it is.
   std::string_view word(const char* what);
 

@@ -16,6 +16,9 @@ namespace derham {
 ///          one says. Triangles (m = 2 or 3) or tetrahedra (m = 3); attributes and markers are checked and dropped. On
 ///          standard input the .ele file follows the .node file.
 /// gmsh     .msh 2.2 ASCII, m = 3 also for planar meshes. Points, lines, triangles and tetrahedra.
+/// medit    .mesh, ASCII, m = 2 or 3: edges, triangles, tetrahedra; references other than 0 become parts, also those of
+///          the vertices. Corners, ridges, normals and the like are skipped and noted; quadrilaterals are split if
+///          `triangulate` is set.
 /// off      m = 3; faces of 1 to 3 vertices, with or without colours; larger ones see ReadOptions::triangulate, as in all
 ///          surface formats.
 /// obj      m = 3; p, l and f lines; texture coordinates, normals, groups and materials are skipped.

@@ -4,6 +4,7 @@
 #include "derham/core/text.hpp"
 #include "derham/io/atomic_file.hpp"
 #include "derham/io/formats.hpp"
+#include "derham/io/part_numbers.hpp"
 #include "derham/io/text_writer.hpp"
 
 #include <algorithm>
@@ -52,6 +53,10 @@ std::vector<std::string> not_carried(const MeshData& mesh, MeshFormat format, co
   if (traits.largest_ambient > 3 && !traits.holds_fields && has_metric) lose("positions");
   if (!mesh.parts.empty() && !traits.holds_parts) lose("parts (", mesh.parts.size(), ")");
   if (mesh.lower_count() > 0 && !traits.holds_lower) lose("simplices of lower dimension (", mesh.lower_count(), ")");
+  if (format == MeshFormat::medit) {  // one number per simplex, and no simplices of dimension 0
+    for (const auto& phrase : lost_in_part_numbers(mesh)) lose(phrase);
+    if (!mesh.lower.empty() && !mesh.lower[0].empty()) lose("points as simplices (", mesh.lower[0].size(), ")");
+  }
   if (!mesh.fields.empty() && !traits.holds_fields) lose("fields (", mesh.fields.size(), ")");
   if (!mesh.forms.empty() && format != MeshFormat::npz) lose("forms (", mesh.forms.size(), ")");
   if (!mesh.edge_lengths_squared.empty() && format != MeshFormat::npz) lose("edge lengths");

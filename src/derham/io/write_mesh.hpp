@@ -15,6 +15,7 @@ namespace derham {
 ///
 /// tetgen   both NAME.node and NAME.ele, whichever `path` names; triangles with m = 2 or 3, tetrahedra with m = 3
 /// gmsh     dimension n <= 3; m <= 3, padded with zeros to 3, as in
+/// medit    n = 1 to 3; m <= 3 (padded to 2); parts as references: the number of the first part a simplex is in
 /// off, obj n <= 2
 /// ply      n <= 2; doubles, binary unless asked otherwise; fields are properties, one per component
 /// stl      n = 2; binary unless asked otherwise: then positions are rounded to 32-bit numbers (`not_carried` says so).
