@@ -1,6 +1,7 @@
 #pragma once
 
 #include "derham/io/mesh_format.hpp"
+#include "io/npz_samples.hpp"
 #include "io/ply_samples.hpp"
 #include "io/stl_samples.hpp"
 
@@ -59,6 +60,8 @@ inline constexpr std::array sample_files{
     SampleFile{MeshFormat::ply, "ply_big", ply_big_sample, false, ply_big_sample.size()},
     SampleFile{MeshFormat::stl, "stl_ascii", stl_ascii_sample, true, stl_ascii_sample.find("endsolid") + 8},
     SampleFile{MeshFormat::stl, "stl_binary", stl_binary_sample, false, stl_binary_sample.size()},
+    SampleFile{MeshFormat::npz, "npz_stored", npz_stored_sample, false, npz_stored_sample.size()},
+    SampleFile{MeshFormat::npz, "npz_deflated", npz_deflated_sample, false, npz_deflated_sample.size()},
     SampleFile{MeshFormat::facets, "facets", facets_sample},
 };
 

@@ -22,6 +22,7 @@ namespace derham {
 [[nodiscard]] MeshData read_ply(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_stl(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_facets(Cursor& file, const ReadOptions& options);
+[[nodiscard]] MeshData read_npz(Cursor& file, const ReadOptions& options);
 
 void write_tetgen(TextWriter& nodes, TextWriter& simplices, const MeshData& mesh);
 void write_gmsh(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
@@ -31,6 +32,7 @@ void write_obj(TextWriter& file, const MeshData& mesh, const WriteOptions& optio
 void write_ply(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_stl(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_facets(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
+void write_npz(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_vtu(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 
 /// What a format is called, how its files are found, and what they can hold.

@@ -26,7 +26,7 @@ constexpr std::array table{
     FormatTraits{MeshFormat::ply,    "ply",    "ply",      "ply",                 none, read_ply,    write_ply,    0, 2, 1, 3, false, false, true},
     FormatTraits{MeshFormat::stl,    "stl",    "stl",      "solid",               none, read_stl,    write_stl,    2, 2, 3, 3, false, false, false},
     FormatTraits{MeshFormat::facets, "facets", "facets",   "",                    '#',  read_facets, write_facets, 0, 6, 0, 6, false, false, false},
-    FormatTraits{MeshFormat::npz,    "npz",    "npz",      "PK",                  none, nullptr,     nullptr,      0, 6, 0, 6, false, false, false},
+    FormatTraits{MeshFormat::npz,    "npz",    "npz",      "PK",                  none, read_npz,    write_npz,    0, 6, 0, 6, true,  true,  true},
     // clang-format on
 };
 

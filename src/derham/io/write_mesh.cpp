@@ -29,9 +29,10 @@ void require_fit(const MeshData& mesh, const FormatTraits& format) {
   };
   const int n = mesh.simplices.dimension();
   const int m = mesh.ambient_dimension;
-  if (mesh.has_corners() && format.format != MeshFormat::vtu)
-    refuse("has one position per vertex, a periodic mesh has not; .vtu holds it for pictures");
-  if (!mesh.has_points() && !mesh.has_corners() && mesh.vertex_count > 0) refuse("needs positions, this mesh has none");
+  if (mesh.has_corners() && format.format != MeshFormat::vtu && format.format != MeshFormat::npz)
+    refuse("has one position per vertex, a periodic mesh has not; .npz holds it, .vtu for pictures");
+  if (!mesh.has_points() && !mesh.has_corners() && mesh.vertex_count > 0 && format.least_ambient > 0)
+    refuse("needs positions, this mesh has none");
   if (!mesh.simplices.is_uniform()) refuse("holds simplices of one dimension, this mesh has several");
   if (n > format.largest_dimension)
     refuse("holds simplices of dimension at most ", format.largest_dimension, ", this mesh has dimension ", n);

@@ -22,6 +22,8 @@ namespace derham {
 ///          Reading it back numbers the vertices afresh and makes one of those at the same place
 /// vtu      n <= 3; also periodic meshes, one point per corner
 /// facets   everything, positions are dropped
+/// npz      everything but simplices of several dimensions, without loss (read_mesh.hpp names the arrays): stored, not
+///          compressed, in this machine's types and order of bytes, every array at a multiple of 64 bytes
 /// Throws   InputError if the format cannot hold the mesh or the mesh is unsound (ids outside [0, vertex_count), wrong
 ///          number of positions); FileError if the file cannot be written
 void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format, const WriteOptions& options = {});
