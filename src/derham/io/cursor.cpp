@@ -57,7 +57,10 @@ std::string_view Cursor::word(const char* what) {
 }
 
 Index Cursor::count(const char* what, std::int64_t record_bytes) {
-  const auto value = integer(what, 0, std::numeric_limits<std::int64_t>::max());
+  return checked_count(integer(what, 0, std::numeric_limits<std::int64_t>::max()), what, record_bytes);
+}
+
+Index Cursor::checked_count(std::int64_t value, const char* what, std::int64_t record_bytes) const {
   // The last record may lack its newline.
   if (value > (remaining() + 1) / record_bytes)
     fail(text(what, " is ", value, ", but the ", remaining(), " bytes that are left cannot hold so many"));

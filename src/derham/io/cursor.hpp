@@ -68,6 +68,9 @@ class Cursor {
   /// Index.
   Index count(const char* what, std::int64_t record_bytes);
 
+  /// As `count`, of a number that was read already, e.g. from bytes.
+  Index checked_count(std::int64_t value, const char* what, std::int64_t record_bytes) const;
+
   /// The next token of the line as a finite real number; out of the range of a double is refused.
   double real(const char* what) {
     double value = 0;

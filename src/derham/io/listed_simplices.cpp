@@ -1,6 +1,7 @@
 #include "derham/io/listed_simplices.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace derham {
@@ -19,6 +20,8 @@ void ListedSimplices::move_to(MeshData& mesh) && {
   for (auto& part : parts_) {
     if (part.degree == 0 && top > 0) {  // members of dimension 0 are vertices, not rows of lower[0]
       for (Index& member : part.members) member = mesh.lower[0][member][0];
+    }
+    if (std::ranges::adjacent_find(part.members, std::greater_equal<>()) != part.members.end()) {
       std::ranges::sort(part.members);
       const auto repeated = std::ranges::unique(part.members);
       part.members.erase(repeated.begin(), repeated.end());

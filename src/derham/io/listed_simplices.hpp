@@ -31,8 +31,23 @@ class ListedSimplices {
 
   [[nodiscard]] Index size(int degree) const noexcept { return count_[static_cast<std::size_t>(degree)]; }
 
-  /// Puts simplex `position` of `degree` into the part `number`, which need not exist yet. Positions must not decrease
-  /// within one part; a repeated one is kept once.
+  /// Room for `count` simplices with their tags in all.
+  void reserve(int degree, Index count) {
+    const auto d = static_cast<std::size_t>(degree);
+    vertices_[d].reserve(static_cast<std::size_t>(count) * (d + 1));
+    tags_[d].reserve(static_cast<std::size_t>(count));
+  }
+
+  /// The vertices of the simplex at `position`, until the next one is added.
+  [[nodiscard]] std::span<const Index> row(int degree, Index position) const noexcept {
+    const auto width = static_cast<std::size_t>(degree) + 1;
+    return std::span(vertices_[width - 1]).subspan(static_cast<std::size_t>(position) * width, width);
+  }
+  [[nodiscard]] std::span<const std::int64_t> tags(int degree) const noexcept {
+    return tags_[static_cast<std::size_t>(degree)];
+  }
+
+  /// Puts simplex `position` of `degree` into the part `number`, which need not exist yet. A repeated one is kept once.
   void add_to_part(int degree, std::int64_t number, Index position) {
     auto& members = part(degree, number).members;
     if (members.empty() || members.back() != position) members.push_back(position);

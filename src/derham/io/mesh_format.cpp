@@ -17,7 +17,7 @@ constexpr std::array table{
     // clang-format off
     //            format              name      extensions  magic              comment  reader       writer        n     m     parts  lower  fields
     FormatTraits{MeshFormat::tetgen, "tetgen", "node ele", "",                    '#',  nullptr,     nullptr,      2, 3, 2, 3, false, false, false},
-    FormatTraits{MeshFormat::gmsh,   "gmsh",   "msh",      "$",                   none, read_gmsh,   write_gmsh,   0, 3, 1, 3, false, false, false},
+    FormatTraits{MeshFormat::gmsh,   "gmsh",   "msh",      "$",                   none, read_gmsh,   write_gmsh,   0, 3, 1, 3, true,  true,  true},
     FormatTraits{MeshFormat::medit,  "medit",  "mesh",     "MeshVersionFormatted", '#', read_medit, write_medit,  1, 3, 1, 3, true,  true,  false},
     FormatTraits{MeshFormat::vtk,    "vtk",    "vtk",      "# vtk DataFile",      none, nullptr,     nullptr,      0, 3, 1, 3, false, false, false},
     FormatTraits{MeshFormat::vtu,    "vtu",    "vtu",      "<",                   none, nullptr,     write_vtu,    0, 3, 1, 3, false, false, false},

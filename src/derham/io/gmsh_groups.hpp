@@ -1,0 +1,46 @@
+#pragma once
+
+#include "derham/geometry/mesh_data.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace derham {
+
+/// What a .msh file lists of one degree, in order, and for each simplex in which physical groups it is. Simplices in the
+/// same groups are one entity of Gmsh.
+class GmshGroups {
+ public:
+  /// `numbers[p]` is the number of the physical group of part p.
+  GmshGroups(const MeshData& mesh, int degree, std::span<const std::int64_t> numbers);
+
+  [[nodiscard]] Offset size() const noexcept { return static_cast<Offset>(set_.size()); }
+  [[nodiscard]] std::span<const Index> simplex(Offset i) const noexcept {
+    return i < listed_->size() ? (*listed_)[i]
+                               : std::span(extra_).subspan(static_cast<std::size_t>(i - listed_->size()), 1);
+  }
+  /// The entity of simplex i, 0 to entities().size()-1.
+  [[nodiscard]] Index entity(Offset i) const noexcept { return set_[static_cast<std::size_t>(i)]; }
+  /// The physical groups of simplex i, in increasing order.
+  [[nodiscard]] std::span<const std::int64_t> groups_of(Offset i) const noexcept {
+    return groups_[static_cast<std::size_t>(entity(i))];
+  }
+  /// The physical groups of every entity, in increasing order.
+  [[nodiscard]] const std::vector<std::vector<std::int64_t>>& entities() const noexcept { return groups_; }
+
+ private:
+  const SimplexList* listed_;
+  std::vector<Index> extra_;  // vertices of parts that the list has not
+  std::vector<Index> set_;
+  std::vector<std::vector<std::int64_t>> groups_;
+};
+
+/// A number from 1 to 2^31-1 for every part, unique in its degree: its own if it is one, else the next that is free.
+[[nodiscard]] std::vector<std::int64_t> gmsh_group_numbers(const MeshData& mesh);
+
+/// `name` in double quotes as Gmsh takes it. Throws InputError if it has control characters or more than 127 bytes.
+[[nodiscard]] std::string gmsh_quoted(const std::string& name);
+
+}  // namespace derham
