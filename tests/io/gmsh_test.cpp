@@ -49,17 +49,18 @@ TEST(Gmsh, ReadsPointsAndEmptyMeshes) {
 
 TEST(Gmsh, SkipsOtherSections) {
   EXPECT_EQ(read("$Comments\n$Nodes of all sorts\n$EndComments\n" + header + "$Periodic\n0\n$EndPeriodic\n" + nodes +
-                 elements + "$NodeData\n1\n\"x\"\n$EndNodeData\n")
+                 elements + "$ElementNodeData\n1\n\"x\"\n$EndElementNodeData\n")
                 .simplices.size(),
             1);
 }
 
 TEST(Gmsh, RefusesOtherVersions) {
-  refused("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", 2, "'4.1'; expected 2.2 ASCII");
-  refused("$MeshFormat\n4.1 1 8\n\x01\n$EndMeshFormat\n", 2, "'4.1' binary");
-  refused("$MeshFormat\n2.2 1 8\n", 2, "2.2 binary; expected ASCII");
+  refused("$MeshFormat\n4 0 8\n$EndMeshFormat\n", 2, "'4'; expected 2.2 or 4.1: convert it with gmsh");
+  refused("$MeshFormat\n2.1 0 8\n$EndMeshFormat\n", 2, "'2.1'; expected 2.2 or 4.1");
   refused("$MeshFormat\n2.2 2 8\n", 2, "the file type is 2");
-  refused("$NOD\n3\n", 1, "expected $MeshFormat");
+  refused("$MeshFormat\n4.1 0 16\n", 2, "the data size is 16, expected 4 or 8");
+  refused("$NOD\n3\n", 1, "Gmsh format 1.0; expected 2.2 or 4.1: convert it with gmsh");
+  refused("$Nodes\n3\n", 1, "expected $MeshFormat");
 }
 
 TEST(Gmsh, RefusesElementsThatAreNoSimplicesByName) {
@@ -70,8 +71,49 @@ TEST(Gmsh, RefusesElementsThatAreNoSimplicesByName) {
   refused(with("1 5 0 1 2 3 1 1 2 3 1"), 12, "a hexahedron");
   refused(with("1 6 0 1 2 3 1 2 3"), 12, "a prism");
   refused(with("1 7 0 1 2 3 1 2"), 12, "a pyramid");
-  refused(with("1 11 0 1 2 3 1 2 3 1 2 3 1"), 12, "higher order");
-  refused(with("1 99 0 1 2 3"), 12, "not known");
+  refused(with("1 11 0 1 2 3 1 2 3 1 2 3 1"), 12, "a 3-simplex of higher order with 10 nodes");
+  refused(with("1 99 0 1 2 3"), 12, "no simplex");
+}
+
+TEST(Gmsh, AnElementOfSeveralGroupsIsOneSimplex) {
+  const auto with = [](const char* list) { return header + nodes + "$Elements\n" + list + "$EndElements\n"; };
+  // Group after group, and element after element.
+  for (const auto* list : {"4\n8 1 2 5 1 1 2\n9 1 2 5 1 2 3\n8 1 2 6 1 1 2\n9 1 2 6 1 2 3\n",
+                           "4\n8 1 2 5 1 1 2\n8 1 2 6 1 1 2\n9 1 2 6 1 2 3\n9 1 2 5 1 2 3\n"}) {
+    const auto mesh = read(with(list));
+    EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1}, {1, 2}}));
+    EXPECT_EQ(mesh.row_tags, (std::vector<std::int64_t>{8, 9}));
+    EXPECT_EQ(mesh.parts, (std::vector<MeshPart>{{"", 5, 1, {0, 1}}, {"", 6, 1, {0, 1}}}));
+    ASSERT_EQ(mesh.notes.size(), 1U);
+    EXPECT_EQ(mesh.notes[0].find("2 elements are listed again"), 0U);
+  }
+  // Members in the order of the simplices, not of the list.
+  const auto mesh = read(with("4\n8 1 2 5 1 1 2\n9 1 2 5 1 2 3\n9 1 2 6 1 2 3\n8 1 2 6 1 1 2\n"));
+  EXPECT_EQ(mesh.parts[1].members, (std::vector<Index>{0, 1}));
+  // Other numbers are other rows; the complex will see that they repeat.
+  EXPECT_EQ(read(with("2\n1 1 2 5 1 1 2\n2 1 2 5 1 1 2\n")).simplices.size(), 2);
+  refused(with("3\n1 1 0 1 2\n2 1 0 2 3\n1 1 0 1 3\n"), 14, "element number 1 is given twice with other nodes");
+  refused(with("2\n1 1 0 1 2\n1 1 0 2 1\n"), 13, "element number 1 is given twice with other nodes");
+  refused(with("2\n1 1 0 1 2\n1 2 0 1 2 3\n"), 13, "element number 1 is given twice with other nodes");
+}
+
+TEST(Gmsh, KeepsTheCornersOfElementsOfHigherOrderOnRequest) {
+  const std::string bytes = header +
+                            "$Nodes\n7\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 .5 0 0\n5 .5 .5 0\n6 0 .5 0\n7 9 9 9\n$EndNodes\n"
+                            "$Elements\n3\n1 8 2 1 1 1 2 4\n2 9 2 1 1 1 2 3 4 5 6\n3 15 2 2 1 7\n$EndElements\n";
+  refused(bytes, 16, "a 1-simplex of higher order with 3 nodes; expected first order");
+  const auto mesh = read_mesh_from_memory(bytes, MeshFormat::gmsh, "mesh", {.corner_nodes = true});
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2}}));
+  EXPECT_EQ(mesh.vertex_tags, (std::vector<std::int64_t>{1, 2, 3}));
+  EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
+  ASSERT_EQ(mesh.notes.size(), 2U);
+  EXPECT_EQ(mesh.notes[0], "kept the corner nodes of 2 elements of higher order; dropped 4 nodes that no simplex uses");
+  EXPECT_EQ(mesh.notes[1], "dropped 1 simplices of lower dimension on such nodes");
+  // Without such elements nothing is dropped.
+  EXPECT_EQ(read_mesh_from_memory(header + nodes + "$Elements\n1\n1 1 0 1 2\n$EndElements\n", MeshFormat::gmsh, "mesh",
+                                  {.corner_nodes = true})
+                .vertex_count,
+            3);
 }
 
 TEST(Gmsh, RefusesDamage) {

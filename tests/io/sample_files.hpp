@@ -1,6 +1,7 @@
 #pragma once
 
 #include "derham/io/mesh_format.hpp"
+#include "io/gmsh_samples.hpp"
 #include "io/npz_samples.hpp"
 #include "io/ply_samples.hpp"
 #include "io/stl_samples.hpp"
@@ -40,6 +41,9 @@ inline constexpr std::string_view gmsh_sample =
     "$Nodes\n5\n10 0 0 0\n12 1 0 0\n11 0 1 0\n40 0 0 1\n41 1 1 1\n$EndNodes\n"
     "$Elements\n4\n1 15 2 1 1 10\n2 2 2 1 1 10 12 11\n5 4 2 7 1 10 12 11 40\n9 4 3 7 1 0 12 11 40 41\n$EndElements\n";
 
+// What is cut before the end of the elements is no mesh.
+constexpr std::size_t gmsh_end(std::string_view bytes) { return bytes.find("$EndElements") + 12; }
+
 inline constexpr std::string_view off_sample =
     "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3 255 0 0\n3 0 3 2 0.5 0.5 0.5 1\n3 1 2 3\n";
 
@@ -51,7 +55,14 @@ inline constexpr std::string_view facets_sample = "# a triangle and a tail\n0 1 
 
 inline constexpr std::array sample_files{
     SampleFile{MeshFormat::tetgen, "tetgen", tetgen_sample, true, tetgen_sample.find(" 1.5\n")},
-    SampleFile{MeshFormat::gmsh, "gmsh_22_ascii", gmsh_sample, true, gmsh_sample.find("$EndElements") + 11},
+    SampleFile{MeshFormat::gmsh, "gmsh_22_ascii", gmsh_sample, true, gmsh_end(gmsh_sample)},
+    SampleFile{MeshFormat::gmsh, "gmsh_22_text", gmsh_22_text, true, gmsh_end(gmsh_22_text)},
+    SampleFile{MeshFormat::gmsh, "gmsh_22_binary", gmsh_22_binary, false, gmsh_end(gmsh_22_binary)},
+    SampleFile{MeshFormat::gmsh, "gmsh_22_big_endian", gmsh_22_big_endian, false, gmsh_end(gmsh_22_big_endian)},
+    SampleFile{MeshFormat::gmsh, "gmsh_41_text", gmsh_41_text, true, gmsh_end(gmsh_41_text)},
+    SampleFile{MeshFormat::gmsh, "gmsh_41_binary", gmsh_41_binary, false, gmsh_end(gmsh_41_binary)},
+    SampleFile{MeshFormat::gmsh, "gmsh_41_big_endian_32", gmsh_41_big_endian_32, false,
+               gmsh_end(gmsh_41_big_endian_32)},
     SampleFile{MeshFormat::medit, "medit", medit_sample, true, medit_sample.find("-2\nCorners") + 2},
     SampleFile{MeshFormat::off, "off", off_sample, true, off_sample.find(" 3\n", off_sample.size() - 4)},
     SampleFile{MeshFormat::obj, "obj", obj_sample},

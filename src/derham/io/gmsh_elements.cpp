@@ -75,7 +75,7 @@ bool GmshElements::must_read_again() {
     if (tags[i] == tags[i - 1] && (repeated_.empty() || repeated_.back() != tags[i])) repeated_.push_back(tags[i]);
   if (repeated_.empty()) return false;
   first_.resize(repeated_.size());
-  simplices_ = {};
+  simplices_.clear_simplices();
   higher_order_ = 0;
   return true;
 }

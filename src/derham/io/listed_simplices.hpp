@@ -56,6 +56,14 @@ class ListedSimplices {
   /// Names the part `number`; a part without members is kept, too.
   void name_part(int degree, std::int64_t number, std::string name) { part(degree, number).name = std::move(name); }
 
+  /// Forgets the simplices, but no part and no name.
+  void clear_simplices() {
+    vertices_ = {};
+    tags_ = {};
+    count_ = {};
+    for (auto& part : parts_) part.members.clear();
+  }
+
   /// Hands everything to `mesh`, which has its vertices already.
   void move_to(MeshData& mesh) &&;
 

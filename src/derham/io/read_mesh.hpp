@@ -15,7 +15,12 @@ namespace derham {
 /// tetgen   `path` is NAME.node or NAME.ele, the other is found beside it. Nodes are numbered from 0 or 1, as the first
 ///          one says. Triangles (m = 2 or 3) or tetrahedra (m = 3); attributes and markers are checked and dropped. On
 ///          standard input the .ele file follows the .node file.
-/// gmsh     .msh 2.2 ASCII, m = 3 also for planar meshes. Points, lines, triangles and tetrahedra.
+/// gmsh     .msh 2.2 and 4.1, text and binary of either byte order, m = 3 also for planar meshes. Points, lines, triangles
+///          and tetrahedra; physical groups are parts (a negative number is that of the group), $NodeData and $ElementData
+///          are fields, of which all values must be there; of several time steps the last is kept. An element that is
+///          listed again (2.2 does so for every group it is in) is one simplex. Partitions are read as one mesh; sections
+///          without a place in MeshData ($Periodic, $ElementNodeData, …) are skipped, with a note. Simplices of higher
+///          order only with `corner_nodes`: then nodes that no simplex of the highest dimension uses are dropped.
 /// medit    .mesh, ASCII, m = 2 or 3: edges, triangles, tetrahedra; references other than 0 become parts, also those of
 ///          the vertices. Corners, ridges, normals and the like are skipped and noted; quadrilaterals are split if
 ///          `triangulate` is set.

@@ -9,8 +9,44 @@
 
 #include <algorithm>
 
+#include <algorithm>
+#include <iterator>
+
 namespace derham {
 namespace {
+
+// The same of what stands beside the rows.
+void require_sound_lists(const MeshData& mesh) {
+  const int n = mesh.simplices.dimension();
+  const auto refuse = [](const auto&... reason) { throw InputError(text(reason...)); };
+  if (std::ssize(mesh.lower) > std::max(n, 0))
+    refuse("simplices of dimension up to ", mesh.lower.size() - 1, " beside rows of dimension ", n);
+  for (std::size_t k = 0; k < mesh.lower.size(); ++k) {
+    const auto& list = mesh.lower[k];
+    if (!list.empty() && (!list.is_uniform() || list.dimension() != static_cast<int>(k)))
+      refuse("lower[", k, "] holds simplices of dimension ", list.dimension());
+    for (const Index v : list.vertices())
+      if (v < 0 || v >= mesh.vertex_count)
+        refuse("vertex id ", v, " in lower[", k, "] of a mesh of ", mesh.vertex_count, " vertices");
+  }
+  for (const auto& part : mesh.parts) {
+    const auto degree = static_cast<std::size_t>(part.degree);
+    const Offset bound = part.degree == n             ? mesh.simplices.size()
+                         : part.degree == 0           ? Offset{mesh.vertex_count}
+                         : degree < mesh.lower.size() ? mesh.lower[degree].size()
+                                                      : 0;
+    if (part.degree < 0 || part.degree > std::max(n, 0))
+      refuse("part ", part.number, " of dimension ", part.degree, " in a mesh of dimension ", n);
+    for (const Index member : part.members)
+      if (member < 0 || member >= bound)
+        refuse("part ", part.number, " of dimension ", part.degree, " has member ", member, "; there are ", bound);
+  }
+  for (const auto& field : mesh.fields) {
+    const Offset items = field.on == MeshField::On::rows ? mesh.simplices.size() : Offset{mesh.vertex_count};
+    if (field.components < 1 || static_cast<Offset>(field.values.size()) != items * field.components)
+      refuse("a field of ", field.values.size(), " values, expected ", field.components, " for each of ", items);
+  }
+}
 
 void require_sound(const MeshData& mesh) {
   for (const Index v : mesh.simplices.vertices())
@@ -21,6 +57,7 @@ void require_sound(const MeshData& mesh) {
   if (mesh.has_points() && static_cast<Offset>(mesh.points.size()) != expected)
     throw InputError(text(mesh.points.size(), " coordinates for ", mesh.vertex_count, " vertices in dimension ",
                           mesh.ambient_dimension, "; expected ", expected));
+  require_sound_lists(mesh);
 }
 
 void require_fit(const MeshData& mesh, const FormatTraits& format) {

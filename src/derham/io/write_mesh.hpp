@@ -14,7 +14,11 @@ namespace derham {
 /// their order.
 ///
 /// tetgen   both NAME.node and NAME.ele, whichever `path` names; triangles with m = 2 or 3, tetrahedra with m = 3
-/// gmsh     dimension n <= 3; m <= 3, padded with zeros to 3, as in
+/// gmsh     dimension n <= 3; m <= 3, padded with zeros to 3; text unless `encoding` is binary (in this machine's byte
+///          order), 2.2 unless `gmsh_41`. Row i is element i+1; lower simplices, parts and fields follow, a vertex in a
+///          part as a point. Parts whose number is not from 1 to 2^31-1 get the next free one. Names are written as they
+///          are, without control characters and at most 127 bytes long; the programs of others may end a name at a quote
+///          within it. Fields of up to 9 components, padded with zeros to 1, 3 or 9.
 /// medit    n = 1 to 3; m <= 3 (padded to 2); parts as references: the number of the first part a simplex is in
 /// off, obj n <= 2
 /// ply      n <= 2; doubles, binary unless asked otherwise; fields are properties, one per component
