@@ -118,7 +118,7 @@ Run add_demo(CLI::App& parent, Common& common) {
       generated.mesh = meshes::solid_torus(6, 94);
       return generated;
     });
-    for (const std::string& path : *paths) show(path, [&] { return load_mesh({path, "", false}, console); });
+    for (const std::string& path : *paths) show(path, [&] { return load_mesh({path, "", false, {}}, console); });
     write_picture(*out, torus);
     if (common.json)
       print(Json{{"ok", good}, {"meshes", meshes_json}, {"picture", *out}});

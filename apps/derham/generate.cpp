@@ -96,18 +96,11 @@ const std::map<std::string, Generator>& generators() {
 }
 
 MeshFormat output_format(const Recipe& r) {
-  if (!r.format.empty()) {
-    if (const auto format = format_by_name(r.format)) return *format;
-    throw Failure(Exit::usage, "usage",
-                  "unknown format '" + r.format + "'" +
-                      suggestion(r.format, {"tetgen", "gmsh", "off", "obj", "facets", "vtu"}) +
-                      "; formats are tetgen, gmsh, off, obj, facets, vtu");
-  }
+  if (const auto format = named_format(r.format, writable_formats())) return *format;
   if (r.out == "-") return MeshFormat::facets;
   if (const auto format = format_by_extension(r.out)) return *format;
   throw Failure(Exit::usage, "usage",
-                "the name '" + r.out +
-                    "' does not tell the format; use .node, .ele, .msh, .off, .obj, .facets, .vtu or --format");
+                "the name '" + r.out + "' does not tell the format; use " + mesh_extensions + " or --format");
 }
 
 }  // namespace
@@ -120,8 +113,7 @@ Run add_generate(CLI::App& parent, Common& common) {
   std::string listed;
   for (const auto& kind : kinds) listed += (listed.empty() ? "" : ", ") + kind;
   command.add_option("KIND", recipe->kind, listed)->required();
-  command
-      .add_option("-o,--out", recipe->out, "file to write (.node/.ele, .msh, .off, .obj, .facets, .vtu), - for stdout")
+  command.add_option("-o,--out", recipe->out, std::string("file to write (") + mesh_extensions + "), - for stdout")
       ->required();
   command.add_option("--format", recipe->format, "instead of the one the file's extension names");
   CLI::Option* dimension =

@@ -5,22 +5,11 @@
 #include "derham/io/read_mesh.hpp"
 #include "derham/io/unused_vertices.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace derham::cli {
 namespace {
-
-std::optional<MeshFormat> wanted_format(const Input& input) {
-  if (input.format.empty()) return {};
-  const auto format = format_by_name(input.format);
-  if (!format)
-    throw Failure(Exit::usage, "usage",
-                  "unknown format '" + input.format + "'" +
-                      suggestion(input.format, {"tetgen", "gmsh", "medit", "vtk", "vtu", "obj", "off", "ply", "stl",
-                                                "facets", "npz"}) +
-                      "; readable formats are " + readable_formats());
-  return format;
-}
 
 /// drop_unused_vertices, with the way back kept as positions.
 Index compact(LoadedMesh& loaded) {
@@ -33,6 +22,28 @@ Index compact(LoadedMesh& loaded) {
 }
 
 }  // namespace
+
+std::optional<MeshFormat> named_format(const std::string& name, const std::string& formats) {
+  if (name.empty()) return {};
+  if (const auto format = format_by_name(name)) return format;
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin < formats.size();) {
+    const auto end = std::min(formats.find(", ", begin), formats.size());
+    names.push_back(formats.substr(begin, end - begin));
+    begin = end + 2;
+  }
+  throw Failure(Exit::usage, "usage",
+                "unknown format '" + name + "'" + suggestion(name, names) + "; formats are " + formats);
+}
+
+MeshData read_input(const Input& input, Console& console) {
+  const auto format = named_format(input.format, readable_formats());
+  console.stage("reading " + input.path);
+  MeshData mesh = read_mesh(input.path, format, input.options);
+  console.clear_stage();
+  for (const auto& note : mesh.notes) console.message(text(input.path, ": ", note));
+  return mesh;
+}
 
 std::string LoadedMesh::tags_text(std::span<const Index> simplex) const {
   if (file_tags.empty()) return {};
@@ -71,16 +82,12 @@ void LoadedMesh::remove_rows(std::span<const Offset> rows) {
 LoadedMesh read_only(const Input& input, Console& console) {
   LoadedMesh loaded;
   loaded.path = input.path;
-  const auto format = wanted_format(input);
-  console.stage("reading " + input.path);
-  loaded.mesh = read_mesh(input.path, format);
-  console.clear_stage();
+  loaded.mesh = read_input(input, console);
   loaded.file_tags = std::move(loaded.mesh.vertex_tags);
   loaded.mesh.vertex_tags.clear();
   if (loaded.mesh.lower_count() > 0)
     console.message(text(input.path, ": ", loaded.mesh.lower_count(),
                          " simplices of lower dimension are tags, not part of the complex"));
-  for (const auto& note : loaded.mesh.notes) console.message(text(input.path, ": ", note));
   return loaded;
 }
 

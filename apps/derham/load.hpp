@@ -5,6 +5,8 @@
 #include "derham/complex/simplicial_complex.hpp"
 #include "derham/complex/validation.hpp"
 #include "derham/geometry/mesh_data.hpp"
+#include "derham/io/mesh_format.hpp"
+#include "derham/io/options.hpp"
 
 #include <optional>
 #include <span>
@@ -19,7 +21,15 @@ struct Input {
   std::string path;
   std::string format;  // empty: detected
   bool drop_unused = false;
+  ReadOptions options;
 };
+
+/// The format of that name, none for the empty one. Anything else is refused with Exit::usage, `formats` listing those
+/// that would do.
+[[nodiscard]] std::optional<MeshFormat> named_format(const std::string& name, const std::string& formats);
+
+/// The mesh as the file has it. What the reader notes goes to the console.
+[[nodiscard]] MeshData read_input(const Input& input, Console& console);
 
 /// A mesh and the way back from its vertices to the file.
 struct LoadedMesh {

@@ -17,8 +17,16 @@
 namespace derham::cli {
 
 void add_input_options(CLI::App& command, Input& input) {
-  command.add_option("MESH", input.path, "mesh file (.node/.ele, .msh, .off, .obj, .facets), - for stdin")->required();
-  command.add_option("--format", input.format, "tetgen, gmsh, off, obj or facets, instead of detecting it");
+  command.add_option("MESH", input.path, std::string("mesh file (") + mesh_extensions + "), - for stdin")->required();
+  command.add_option("--format", input.format, readable_formats() + ", instead of detecting it");
+  add_reading_options(command, input);
+}
+
+void add_reading_options(CLI::App& command, Input& input) {
+  command.add_flag("--triangulate", input.options.triangulate, "split polygons into triangles, else they are refused");
+  command.add_flag("--corner-nodes", input.options.corner_nodes,
+                   "keep the corners of elements of higher order, else they are refused");
+  command.add_flag("--planar", input.options.planar, "read a mesh whose third coordinates are 0 as one in the plane");
   command.add_flag("--drop-unused", input.drop_unused, "leave out vertices that are in no simplex");
 }
 
@@ -83,6 +91,7 @@ int main_of(int argc, char** argv) {
   std::map<std::string, Run> commands;
   commands["info"] = add_info(app, common);
   commands["check"] = add_check(app, common);
+  commands["convert"] = add_convert(app, common);
   commands["operators"] = add_operators(app, common);
   commands["generate"] = add_generate(app, common);
   commands["demo"] = add_demo(app, common);
@@ -99,7 +108,7 @@ int main_of(int argc, char** argv) {
     for (const auto& [name, command] : commands) names.push_back(name);
     return static_cast<int>(report(Failure(Exit::usage, "usage",
                                            "there is no command '" + word + "'" + suggestion(word, names) +
-                                               "; commands are check, demo, generate, info, operators"),
+                                               "; commands are check, convert, demo, generate, info, operators"),
                                    common));
   }
   try {

@@ -101,6 +101,17 @@ std::string number(double value) {
   return digits;
 }
 
+/// What the file names besides the complex.
+template <int n>
+void fill_parts(Survey& s, const MeshData& mesh, const SimplicialComplex<n>& K) {
+  for (const MeshPart& part : mesh.parts)
+    s.parts.push_back({part.name, part.number, part.degree, static_cast<Offset>(part.members.size())});
+  s.lower_simplices = mesh.lower_count();
+  for (const SimplexList& list : mesh.lower)
+    for (Offset i = 0; i < list.size(); ++i)
+      if (!K.find(list[i])) ++s.not_faces;
+}
+
 template <class T>
 Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
@@ -139,6 +150,7 @@ Survey survey(const LoadedMesh& loaded, Console& console, bool verify) {
     s.euler_characteristic = K.euler_characteristic();
     s.components = K.component_count();
   });
+  fill_parts(s, loaded.mesh, K);
   if constexpr (n <= 4)
     fill_metric(s, loaded, K, console, verify);
   else
@@ -177,8 +189,37 @@ Json to_json(const Survey& s) {
     for (const Survey::Star& star : *s.star)
       json["star"].push_back({{"min", star.min}, {"zero", star.zero}, {"negative", star.negative}});
   }
+  json["parts"] = Json::array();
+  for (const Survey::Part& part : s.parts)
+    json["parts"].push_back(
+        {{"name", part.name}, {"number", part.number}, {"dimension", part.dimension}, {"count", part.count}});
+  json["lower_simplices"] = s.lower_simplices;
+  json["not_faces"] = s.not_faces;
   return json;
 }
+
+namespace {
+
+/// A name as it may be printed: control characters and quotes escaped.
+std::string printable(const std::string& name) {
+  return Json(name).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string parts_text(const Survey& s) {
+  constexpr std::size_t most_shown = 20;
+  std::string out;
+  if (s.lower_simplices > 0)
+    out += text("  lower simplices  ", s.lower_simplices, ", ", s.not_faces, " of them no faces of the complex\n");
+  for (std::size_t i = 0; i < s.parts.size() && i < most_shown; ++i) {
+    const Survey::Part& part = s.parts[i];
+    out += text("  part             ", part.name.empty() ? "" : printable(part.name) + ", ", "number ", part.number,
+                ": ", part.count, " simplices of dimension ", part.dimension, "\n");
+  }
+  if (s.parts.size() > most_shown) out += text("  ", s.parts.size() - most_shown, " more parts; --json lists them\n");
+  return out;
+}
+
+}  // namespace
 
 std::string to_text(const Survey& s) {
   std::string out = text("  dimension        ", s.dimension);
@@ -188,6 +229,7 @@ std::string to_text(const Survey& s) {
   out += "  boundary         " + (s.closed ? "none (closed)" : listed(s.boundary_simplices)) + "\n";
   out += text("  orientable       ", s.orientable ? "yes" : "no", "\n  manifold         ", name(s.manifold),
               s.pure ? "" : " (not pure)", "\n");
+  out += parts_text(s);
   if (s.volume) out += "  volume           " + number(*s.volume) + "\n";
   if (s.inverted) out += text("  inverted         ", *s.inverted, "\n");
   if (s.degenerate) out += text("  degenerate       ", *s.degenerate, "\n");

@@ -16,6 +16,12 @@ struct Survey {
     double min;
     Offset zero, negative;
   };
+  struct Part {
+    std::string name;
+    std::int64_t number;
+    int dimension;
+    Offset count;
+  };
   struct Stage {
     std::string name;
     double seconds;
@@ -35,6 +41,8 @@ struct Survey {
   std::string star_missing;               // why there is none
   std::vector<double> identity_error;     // by degree: |Σ|σ||⋆σ| / (C(n,k)|M|) - 1|
   bool boundary_of_boundary_zero = true;
+  std::vector<Part> parts;
+  Offset lower_simplices = 0, not_faces = 0;  // listed below the dimension; those of them that K does not have
   std::vector<Stage> stages;
 };
 

@@ -162,6 +162,7 @@ void read_vertices(Numbers& numbers, const Element& element, MeshData& mesh) {
   while (mesh.ambient_dimension < 3 && is_scalar(axes[static_cast<std::size_t>(mesh.ambient_dimension)]))
     ++mesh.ambient_dimension;
   if (mesh.ambient_dimension == 0) file.fail("the vertices have no property x; expected x, y and z");
+  if (count == 0) return;
   mesh.points.resize(static_cast<std::size_t>(count * mesh.ambient_dimension));
 
   std::vector<Target> targets(element.properties.size());
