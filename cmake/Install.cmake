@@ -20,7 +20,8 @@ endif()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/derhamConfig.cmake.in ${PROJECT_BINARY_DIR}/derhamConfig.cmake
                               INSTALL_DESTINATION ${package_dir})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/derhamConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+# Before 1.0 a minor version may change the interface.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/derhamConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/derhamConfig.cmake ${PROJECT_BINARY_DIR}/derhamConfigVersion.cmake
         DESTINATION ${package_dir})
 

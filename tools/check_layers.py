@@ -9,8 +9,6 @@ import sys
 import tempfile
 from pathlib import Path
 
-EVERYTHING_BELOW = ["core", "complex", "boundary", "forms", "geometry", "dual", "hodge"]
-
 # A folder may include itself and what is listed here. A folder that is not listed does not exist.
 MAY_INCLUDE = {
     "core": [],
@@ -20,7 +18,6 @@ MAY_INCLUDE = {
     "geometry": ["core", "complex"],  # never boundary, forms
     "dual": ["core", "complex", "boundary", "geometry"],
     "hodge": ["core", "complex", "boundary", "forms", "geometry", "dual"],
-    "operators": EVERYTHING_BELOW,
     "meshes": ["core", "complex", "geometry"],
     "io": ["core", "complex", "geometry", "forms", "dual"],
 }

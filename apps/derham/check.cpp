@@ -44,7 +44,7 @@ class DefectList {
 };
 
 /// Rows that no complex can hold are defects here; the certificate then looks at the others. Whether there were any.
-bool take_out_bad_rows(LoadedMesh& loaded, DefectList& defects) {
+bool take_out_bad_rows(LoadedMesh& loaded, DefectList& defects, Console& console) {
   const SimplexList& rows = loaded.mesh.simplices;
   const InputReport report = check_input(rows, loaded.mesh.vertex_count);
   std::vector<Offset> bad;
@@ -64,7 +64,10 @@ bool take_out_bad_rows(LoadedMesh& loaded, DefectList& defects) {
   }
   if (bad.empty()) return false;
   std::ranges::sort(bad);
+  bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
   loaded.remove_rows(bad);
+  console.message(text(loaded.path, ": looking at the complex without the ", bad.size(),
+                       " rows that none can hold; details below number its simplices without them"));
   return true;
 }
 
@@ -136,7 +139,7 @@ Run add_check(CLI::App& parent, Common& common) {
     Console console(common);
     LoadedMesh loaded = read_only(*input, console);
     DefectList defects(loaded, *all);
-    const bool bad_rows = take_out_bad_rows(loaded, defects);
+    const bool bad_rows = take_out_bad_rows(loaded, defects, console);
     settle_unused(loaded, input->drop_unused || bad_rows, console);
     const bool sound = with_dimension(loaded, [&](auto n) { return check<n()>(loaded, defects, console); });
     const bool ok = sound && defects.counts().empty();

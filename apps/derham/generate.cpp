@@ -12,12 +12,17 @@
 #include "derham/meshes/voxels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 #include <memory>
 
 namespace derham::cli {
 namespace {
+
+constexpr std::array<std::string_view, 12> shape_options{"--dimension", "--cells",  "--jitter", "--seed",
+                                                         "--layers",    "--level",  "--rings",  "--segments",
+                                                         "--sides",     "--radius", "--minor",  "--spec"};
 
 /// All options of all kinds; each kind reads its own.
 struct Recipe {
@@ -30,8 +35,6 @@ struct Recipe {
   int level = 3;
   double jitter = 0, radius = 1, minor = 0.4;
   std::uint64_t seed = 1;
-
-  [[nodiscard]] int dimension_or(int usual) const { return dimension_given ? dimension : usual; }
 };
 
 /// "4" or "4,3,2".
@@ -51,10 +54,12 @@ std::vector<Index> parsed_cells(const std::string& numbers) {
 
 /// One number stands for all axes.
 std::vector<Index> cells_of(const Recipe& r) {
-  if (r.cells.empty())
-    return std::vector<Index>(static_cast<std::size_t>(std::clamp(r.dimension, 0, max_dimension + 1)), 4);
-  if (r.cells.size() == 1)
-    return std::vector<Index>(static_cast<std::size_t>(std::clamp(r.dimension, 0, max_dimension + 1)), r.cells[0]);
+  if (r.dimension < 1 || r.dimension > max_dimension)
+    throw Failure(Exit::usage, "usage",
+                  text("--dimension is ", r.dimension, "; ", r.kind, " has 1 to ", max_dimension));
+  const auto axes = static_cast<std::size_t>(r.dimension);
+  if (r.cells.empty()) return std::vector<Index>(axes, 4);
+  if (r.cells.size() == 1) return std::vector<Index>(axes, r.cells[0]);
   if (r.dimension_given && r.cells.size() != static_cast<std::size_t>(r.dimension))
     throw Failure(
         Exit::usage, "usage",
@@ -74,25 +79,51 @@ meshes::BoxOptions box_options(const Recipe& r) {
   return options;
 }
 
-using Generator = std::function<MeshData(const Recipe&)>;
+struct Generator {
+  std::vector<std::string> options;  // those that this kind takes
+  std::function<MeshData(const Recipe&)> make;
+};
 
 const std::map<std::string, Generator>& generators() {
+  static const std::vector<std::string> of_a_box{"--dimension", "--cells", "--jitter", "--seed"};
   static const std::map<std::string, Generator> all{
-      {"box", [](const Recipe& r) { return meshes::box(cells_of(r), box_options(r)); }},
-      {"periodic-box", [](const Recipe& r) { return meshes::periodic_box(cells_of(r), box_options(r)); }},
-      {"ball", [](const Recipe& r) { return meshes::ball(r.dimension_or(3), r.layers, r.radius); }},
-      {"sphere", [](const Recipe& r) { return meshes::icosphere(r.level, r.radius); }},
-      {"torus", [](const Recipe& r) { return meshes::torus(r.segments, r.sides, r.radius, r.minor); }},
-      {"solid-torus", [](const Recipe& r) { return meshes::solid_torus(r.rings, r.segments, r.radius, r.minor); }},
-      {"simplex-boundary", [](const Recipe& r) { return meshes::simplex_boundary(r.dimension_or(3)); }},
-      {"cross-polytope", [](const Recipe& r) { return meshes::cross_polytope(r.dimension_or(3)); }},
-      {"bcc", [](const Recipe& r) { return meshes::bcc_lattice(cells_per_axis(r, 3)); }},
-      {"a-star", [](const Recipe& r) { return meshes::a_star_lattice(r.dimension_or(3), cells_per_axis(r, 3)); }},
-      {"600-cell", [](const Recipe&) { return meshes::cell_600(); }},
-      {"voxels", [](const Recipe& r) { return meshes::voxels(r.spec); }},
-      {"example", [](const Recipe&) { return meshes::example(); }},
+      {"box", {of_a_box, [](const Recipe& r) { return meshes::box(cells_of(r), box_options(r)); }}},
+      {"periodic-box", {of_a_box, [](const Recipe& r) { return meshes::periodic_box(cells_of(r), box_options(r)); }}},
+      {"ball",
+       {{"--dimension", "--layers", "--radius"},
+        [](const Recipe& r) { return meshes::ball(r.dimension, r.layers, r.radius); }}},
+      {"sphere", {{"--level", "--radius"}, [](const Recipe& r) { return meshes::icosphere(r.level, r.radius); }}},
+      {"torus",
+       {{"--segments", "--sides", "--radius", "--minor"},
+        [](const Recipe& r) { return meshes::torus(r.segments, r.sides, r.radius, r.minor); }}},
+      {"solid-torus",
+       {{"--rings", "--segments", "--radius", "--minor"},
+        [](const Recipe& r) { return meshes::solid_torus(r.rings, r.segments, r.radius, r.minor); }}},
+      {"simplex-boundary", {{"--dimension"}, [](const Recipe& r) { return meshes::simplex_boundary(r.dimension); }}},
+      {"cross-polytope", {{"--dimension"}, [](const Recipe& r) { return meshes::cross_polytope(r.dimension); }}},
+      {"bcc", {{"--cells"}, [](const Recipe& r) { return meshes::bcc_lattice(cells_per_axis(r, 3)); }}},
+      {"a-star",
+       {{"--dimension", "--cells"},
+        [](const Recipe& r) { return meshes::a_star_lattice(r.dimension, cells_per_axis(r, 3)); }}},
+      {"600-cell", {{}, [](const Recipe&) { return meshes::cell_600(); }}},
+      {"voxels", {{"--spec"}, [](const Recipe& r) { return meshes::voxels(r.spec); }}},
+      {"example", {{}, [](const Recipe&) { return meshes::example(); }}},
   };
   return all;
+}
+
+/// An option that the kind does not take would be ignored: better say so.
+void refuse_foreign_options(const CLI::App& command, const std::string& kind, const std::vector<std::string>& taken) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || std::ranges::find(shape_options, name) == shape_options.end() ||
+        std::ranges::find(taken, name) != taken.end())
+      continue;
+    std::string listed;
+    for (const auto& other : taken) listed += (listed.empty() ? "" : ", ") + other;
+    throw Failure(Exit::usage, "usage",
+                  text("'", kind, "' does not take ", name, "; it takes ", taken.empty() ? "no options" : listed));
+  }
 }
 
 MeshFormat output_format(const Recipe& r) {
@@ -132,7 +163,7 @@ Run add_generate(CLI::App& parent, Common& common) {
   command.add_option("--minor", recipe->minor, "radius of the tube (torus, solid-torus): 0.4");
   command.add_option("--spec", recipe->spec,
                      "voxels: a box and boxes taken away (-) or put back (+), e.g. 3x3x1-1,1,0");
-  return [&common, recipe, dimension, kinds, listed] {
+  return [&common, recipe, dimension, kinds, listed, self = &command] {
     recipe->dimension_given = dimension->count() > 0;
     recipe->cells = parsed_cells(recipe->cells_text);
     const auto generator = generators().find(recipe->kind);
@@ -140,12 +171,13 @@ Run add_generate(CLI::App& parent, Common& common) {
       throw Failure(
           Exit::usage, "usage",
           "there is no mesh '" + recipe->kind + "'" + suggestion(recipe->kind, kinds) + "; kinds are " + listed);
+    refuse_foreign_options(*self, recipe->kind, generator->second.options);
     if (recipe->kind == "voxels" && recipe->spec.empty())
       throw Failure(Exit::usage, "usage", "voxels need --spec, e.g. --spec 3x3x1-1,1,0");
     const MeshFormat format = output_format(*recipe);
     MeshData mesh;
     try {
-      mesh = generator->second(*recipe);
+      mesh = generator->second.make(*recipe);
       write_mesh(recipe->out, mesh, format);
     } catch (const InputError& error) {
       throw Failure(Exit::usage, "usage", error.what());

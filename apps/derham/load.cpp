@@ -38,11 +38,16 @@ std::optional<MeshFormat> named_format(const std::string& name, const std::strin
 
 MeshData read_input(const Input& input, Console& console) {
   const auto format = named_format(input.format, readable_formats());
-  console.stage("reading " + input.path);
-  MeshData mesh = read_mesh(input.path, format, input.options);
-  console.clear_stage();
-  for (const auto& note : mesh.notes) console.message(text(input.path, ": ", note));
-  return mesh;
+  const std::string name = input.path == "-" ? "stdin" : input.path;
+  console.stage("reading " + name);
+  try {
+    MeshData mesh = read_mesh(input.path, format, input.options);
+    console.clear_stage();
+    for (const auto& note : mesh.notes) console.message(text(name, ": ", note));
+    return mesh;
+  } catch (const LimitError& error) {
+    throw Failure(Exit::limit, error.kind(), error.what(), name);
+  }
 }
 
 std::string LoadedMesh::tags_text(std::span<const Index> simplex) const {
@@ -81,12 +86,12 @@ void LoadedMesh::remove_rows(std::span<const Offset> rows) {
 
 LoadedMesh read_only(const Input& input, Console& console) {
   LoadedMesh loaded;
-  loaded.path = input.path;
+  loaded.path = input.path == "-" ? "stdin" : input.path;
   loaded.mesh = read_input(input, console);
   loaded.file_tags = std::move(loaded.mesh.vertex_tags);
   loaded.mesh.vertex_tags.clear();
   if (loaded.mesh.lower_count() > 0)
-    console.message(text(input.path, ": ", loaded.mesh.lower_count(),
+    console.message(text(loaded.path, ": ", loaded.mesh.lower_count(),
                          " simplices of lower dimension are tags, not part of the complex"));
   return loaded;
 }

@@ -87,7 +87,7 @@ int main_of(int argc, char** argv) {
   app.failure_message(CLI::FailureMessage::simple);
   Common common;
   app.add_flag("--json", common.json, "one JSON object on stdout, for errors too");
-  app.add_flag("-q,--quiet", common.quiet, "no messages on stderr");
+  app.add_flag("-q,--quiet", common.quiet, "no messages on stderr but errors");
   std::map<std::string, Run> commands;
   commands["info"] = add_info(app, common);
   commands["check"] = add_check(app, common);

@@ -133,6 +133,8 @@ Run add_operators(CLI::App& parent, Common& common) {
   add_input_options(command, *input);
   command.add_option("-o,--out", *directory, "directory to write to, made if need be")->required();
   return [&common, input, directory] {
+    if (*directory == "-")
+      throw Failure(Exit::usage, "usage", "--out is a directory: several files cannot go to standard output");
     Console console(common);
     const LoadedMesh loaded = load_mesh(*input, console);
     return with_dimension(loaded, [&](auto n) { return write_operators<n()>(loaded, *directory, common, console); });

@@ -48,7 +48,7 @@ TEST(ManifoldDefects, Facets) {
   expect_defects<2>({{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}, {{facet, {0, 1}, "3 triangles (triangles 0, 1, 2)"}});
   expect_defects<3>({{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 1, 2, 5}}, {{facet, {0, 1, 2}, "3 tets"}});
   expect_defects<4>({{0, 1, 2, 3, 4}, {0, 1, 2, 3, 5}, {0, 1, 2, 3, 6}, {0, 1, 2, 3, 7}},
-                    {{facet, {0, 1, 2, 3}, "4 4-simplexes"}});
+                    {{facet, {0, 1, 2, 3}, "4 4-simplices"}});
 }
 
 TEST(ManifoldDefects, Rings) {

@@ -67,6 +67,19 @@ TEST(SimplexSet, StarClosureAndLinkFollowTheirDefinitions) {
   expect_definitions(SimplicialComplex<3>(SimplexList{{0, 1, 2, 3}, {0, 1, 4, 5}, {1, 2, 3, 4}, {4, 5, 2, 3}}));
 }
 
+TEST(SimplexSet, RefusesSimplicesThatAreNotThere) {
+  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}, {1, 2, 3}});
+  const Cofaces<2> cofaces(K);
+  EXPECT_THROW((void)simplex_set<2>(3, 0), InputError);
+  EXPECT_THROW((void)simplex_set<2>(-1, 0), InputError);
+  for (const Index i : {-1, 2, 100000000}) EXPECT_THROW((void)closure(K, simplex_set<2>(2, i)), InputError);
+  for (const Index i : {-1, 5}) {
+    EXPECT_THROW((void)closure(K, simplex_set<2>(1, i)), InputError);
+    EXPECT_THROW((void)star(cofaces, simplex_set<2>(1, i)), InputError);
+    EXPECT_THROW((void)link(K, cofaces, simplex_set<2>(1, i)), InputError);
+  }
+}
+
 TEST(SimplexSet, BoundarySimplicesOfTwoTetrahedra) {
   const SimplicialComplex<3> K(SimplexList{{0, 1, 2, 3}, {1, 2, 3, 4}});
   const auto rim = boundary_simplices(K);

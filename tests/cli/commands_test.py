@@ -177,6 +177,26 @@ class Refusals(Case):
         self.refused(2, "generate", "box", "--cells", 0, "--out", self.directory / "x.msh")
         self.refused(2, "generate", "box", "--out", self.directory / "x.unknown")
 
+    def test_options_of_other_kinds(self):
+        out = self.directory / "x.facets"
+        for arguments in (("bcc", "--dimension", 2), ("sphere", "--cells", 9), ("600-cell", "--seed", 1), ("box", "--spec", "3x3")):
+            message = self.refused(2, "generate", *arguments, "--out", out)["message"]
+            self.assertIn(arguments[1], message)
+        self.assertIn("9", self.refused(2, "generate", "box", "--dimension", 9, "--out", out)["message"])
+        self.assertFalse(out.exists())
+
+    def test_several_files_do_not_fit_on_stdout(self):
+        box = self.directory / "box.facets"
+        self.json("generate", "box", "--out", box)
+        self.refused(2, "operators", box, "--out", "-")
+
+    def test_standard_input_has_a_name(self):
+        self.assertEqual(self.refused(3, "info", "-", stdin="0 1 1\n")["file"], "stdin")
+        self.assertEqual(self.refused(3, "info", "-", stdin="0 x\n")["file"], "stdin")
+        nodes = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n"
+        self.assertEqual(self.json("info", "-", stdin=nodes + "1 3 0\n1 1 2 3\n")["simplices"], [3, 3, 1])
+        self.refused(3, "check", "-", stdin="3 3 0\n1 1 2 3\n2 2 3 4\n3 3 4 5\n")  # an .ele file without nodes
+
     def test_unreadable(self):
         missing = self.refused(3, "info", self.directory / "missing.msh")
         self.assertIn("missing.msh", missing["file"])

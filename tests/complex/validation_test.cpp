@@ -49,6 +49,13 @@ TEST(Validation, SameVertexSetTwiceInAnyOrder) {
   expect_refused<2>(strip, 5000, {"row 5000", "(4002, 4000, 4001)", "row 4000"});
 }
 
+TEST(Validation, OfSeveralKindsTheFirstRow) {
+  expect_refused<3>({{0, 1, 2, 3}, {1, 0, 3, 2}, {0, 0, 1, 2}}, 1, {"row 1", "row 0"});
+  expect_refused<2>({{0, 1, 2}, {1, 1, 2}, {2, 1, 0}, {0, 1, -2}}, 1, {"row 1", "repeats vertex 1"});
+  expect_refused<2>({{0, 1, 1}, {0, 1, -2}}, 0, {"row 0", "repeats vertex 1"});
+  expect_refused<2>({{0, 1, -2}, {0, 1, 1}}, 0, {"row 0", "vertex -2"});
+}
+
 // A set would hide that the 8 triangles have only 4 vertex sets, and make a sphere of it.
 TEST(Validation, PeriodicTorusOfTwoByTwoSquaresIsNoComplex) {
   SimplexList rows;

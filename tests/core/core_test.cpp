@@ -1,9 +1,11 @@
+#include "derham/core/disjoint_sets.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/core/types.hpp"
 
 #include <gtest/gtest.h>
 
+#include <locale>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +30,36 @@ TEST(Types, Factorials) {
 }
 
 TEST(Text, WritesItsPartsOneAfterTheOther) { EXPECT_EQ(text("row ", Offset{3}, ": ", 0.5, 'x'), "row 3: 0.5x"); }
+
+// A locale that groups digits, as some programs set.
+struct Grouping : std::numpunct<char> {
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+  char do_decimal_point() const override { return ','; }
+};
+
+TEST(Text, IsTheSameInEveryLocale) {
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Grouping));
+  const std::string written = text(1234567, " ", 0.5);
+  std::locale::global(before);
+  EXPECT_EQ(written, "1234567 0.5");
+}
+
+TEST(DisjointSets, JoinAndCount) {
+  DisjointSets sets(6);
+  EXPECT_EQ(sets.count(), 6);
+  EXPECT_TRUE(sets.unite(4, 2));
+  EXPECT_TRUE(sets.unite(5, 4));
+  EXPECT_FALSE(sets.unite(2, 5));
+  EXPECT_TRUE(sets.unite(0, 1));
+  EXPECT_EQ(sets.count(), 3);
+  EXPECT_EQ(sets.root(5), 2);
+  EXPECT_EQ(sets.root(1), 0);
+  EXPECT_EQ(sets.root(3), 3);
+  sets.reset(2);
+  EXPECT_EQ(sets.count(), 2);
+  EXPECT_EQ(sets.root(1), 1);
+}
 
 TEST(Text, Tuples) {
   EXPECT_EQ(tuple_text(std::span<const Index>()), "()");

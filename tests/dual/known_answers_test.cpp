@@ -1,5 +1,6 @@
 #include "derham/dual/circumcentric.hpp"
 #include "derham/dual/dual_report.hpp"
+#include "derham/io/read_mesh.hpp"
 #include "derham/meshes/boxes.hpp"
 #include "derham/meshes/lattices.hpp"
 #include "derham/meshes/polytopes.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace derham {
@@ -112,6 +114,24 @@ TEST(KnownAnswers, LatticesAreWellCentredInFourDimensionsOnlyWeakly) {
     EXPECT_TRUE(report.star[k].zero.empty());
   }
   EXPECT_TRUE(report.pairwise_delaunay);
+}
+
+// The mesh of PyDEC's resonant cavity: one pair of triangles is not Delaunay.
+TEST(KnownAnswers, CavityHasOneNegativeEdge) {
+  const Mesh<2> mesh(read_mesh(DERHAM_CAVITY));
+  EXPECT_EQ(mesh.K.size(0), 191);
+  EXPECT_EQ(mesh.K.size(1), 526);
+  EXPECT_EQ(mesh.K.size(2), 336);
+  double area = 0;
+  for (const double a : mesh.dual.primal[2]) area += a;
+  EXPECT_NEAR(area, std::numbers::pi * std::numbers::pi, 1e-12);
+  const DualReport report = dual_report(mesh.K, mesh.dual);
+  ASSERT_EQ(report.star[1].negative.size(), 1U);
+  const Index edge = report.star[1].negative.front();
+  EXPECT_EQ(mesh.K.simplex(1, edge)[0], 63);
+  EXPECT_EQ(mesh.K.simplex(1, edge)[1], 103);
+  EXPECT_NEAR(mesh.star(1, edge), -0.0842, 5e-5);
+  EXPECT_FALSE(report.pairwise_delaunay);
 }
 
 }  // namespace

@@ -74,6 +74,39 @@ TEST(Cursor, ErrorsSayWhereWhatAndWhy) {
   }
 }
 
+TEST(Cursor, AnInfiniteNumberIsNamed) {
+  for (const std::string token : {"nan", "-inf", "+infinity"}) {
+    const std::string bytes = "\n1   " + token + " 2\n";
+    auto c = cursor(bytes);
+    ASSERT_TRUE(c.next_line());
+    (void)c.real("x");
+    try {
+      (void)c.real("a coordinate");
+      FAIL();
+    } catch (const FileError& error) {
+      EXPECT_EQ(std::string(error.what()), "file:2: found '" + token + "', expected a finite number as a coordinate");
+    }
+  }
+}
+
+TEST(Cursor, BytesAreTakenOnlyIfTheyAreThere) {
+  auto c = cursor("ab cd\n");
+  EXPECT_EQ(c.bytes(3, "a block"), "ab ");
+  EXPECT_EQ(c.offset(), 3);
+  c.name_bytes(true);
+  for (const std::int64_t count : {std::int64_t{100}, std::int64_t{-1}, std::numeric_limits<std::int64_t>::max()}) {
+    try {
+      (void)c.bytes(count, "a block");
+      FAIL();
+    } catch (const FileError& error) {
+      EXPECT_EQ(error.line(), 0);
+      EXPECT_TRUE(std::string(error.what()).starts_with("file: byte 3: a block takes ")) << error.what();
+    }
+  }
+  EXPECT_EQ(c.bytes(c.remaining(), "the rest").size(), 3U);
+  EXPECT_EQ(c.bytes(0, "nothing"), "");
+}
+
 TEST(Cursor, EndOfFileIsOnItsLastLine) {
   auto c = cursor("1\n2\n");
   while (c.next_line()) c.skip_line();

@@ -26,6 +26,16 @@ TEST(MeshFormat, ContentComesBeforeTheName) {
   EXPECT_EQ(detect_format("x.facets", "# nothing\n"), MeshFormat::facets);
 }
 
+TEST(MeshFormat, TetgenIsKnownByItsRecords) {
+  const auto detected = [](const char* bytes) { return detect_format("stdin", bytes); };
+  EXPECT_EQ(detected("4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n1 4 0\n1 1 2 3 4\n"), MeshFormat::tetgen);
+  EXPECT_EQ(detected("3 2 1 1\n0 0 0 0.5 1\n1 1 0 0.5 1\n2 0 1 0.5 1\n"), MeshFormat::tetgen);
+  EXPECT_EQ(detected("# .ele\n3 4 0\n0 0 1 2 3\n1 1 2 3 4\n2 2 3 4 5\n"), MeshFormat::tetgen);
+  EXPECT_EQ(detected("3 4 0\n0 0 1 2 3\n1 1 2 3 4\n3 2 3 4 5\n"), MeshFormat::facets);  // not numbered
+  EXPECT_EQ(detected("1 2\n0 1 2\n"), MeshFormat::facets);                              // could be either
+  EXPECT_EQ(detected("5 2 0\n1 2 3\n2 3 4\n3 4 0\n"), MeshFormat::facets);              // fewer than it counts
+}
+
 TEST(MeshFormat, RefusesWhatItDoesNotKnow) {
   for (const auto* name : {"x.vtp", "x.meshb"}) EXPECT_THROW((void)detect_format(name, "1 2 3\n"), FileError) << name;
   EXPECT_THROW((void)detect_format("x", "hello\n"), FileError);

@@ -31,6 +31,11 @@ TEST(ReadMesh, SaysWhyAFileCannotBeOpened) {
   EXPECT_NE(message(directory / "empty.off").find("empty"), std::string::npos);
 }
 
+TEST(ReadMesh, ADeviceNeedNotEnd) {
+  EXPECT_THROW((void)read_mesh("/dev/zero", MeshFormat::facets), LimitError);
+  EXPECT_TRUE(read_mesh("/dev/null", MeshFormat::facets).simplices.empty());
+}
+
 TEST(ReadMesh, ReadsAPipe) {
   const TemporaryDirectory directory;
   const auto path = directory / "pipe";

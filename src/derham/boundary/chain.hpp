@@ -32,8 +32,11 @@ class Chain {
   /// Throws   InputError if a simplex is outside [0, |K_k|)
   Chain(const SimplicialComplex<n>& K, std::vector<Term> terms);
 
+  Chain(SimplicialComplex<n>&&) = delete;
+  Chain(SimplicialComplex<n>&&, std::vector<Term>) = delete;
+
   /// Adds coefficient times an oriented simplex given by any alias: (2, 1) counts as minus (1, 2).
-  /// Cost     linear in the number of terms: to build long chains give all terms at once
+  /// Cost     O(s log s) in the number of terms: to build long chains give all terms at once
   /// Throws   InputError if the alias is not in K
   void add(std::span<const Index> alias, std::int64_t coefficient = 1);
   void add(std::initializer_list<Index> alias, std::int64_t coefficient = 1) {

@@ -15,7 +15,7 @@ namespace derham {
 namespace {
 
 /// The alive cofaces of a face: their number and the exclusive-or of their indices, which is the coface when it is one.
-struct Cofaces {
+struct CofaceCount {
   Index count = 0;
   Index combined = 0;
 
@@ -56,7 +56,7 @@ class Worklist {
 bool collapse_degree(std::span<const Index> faces, std::size_t width, const std::vector<char>& alive,
                      std::vector<char>& alive_faces, Worklist& free_faces) {
   auto left = std::ranges::count(alive, char{1});
-  std::vector<Cofaces> cofaces(alive_faces.size());
+  std::vector<CofaceCount> cofaces(alive_faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
     if (alive[i / width]) cofaces[static_cast<std::size_t>(faces[i])].add(static_cast<Index>(i / width));
   free_faces.clear();
@@ -69,7 +69,7 @@ bool collapse_degree(std::span<const Index> faces, std::size_t width, const std:
     alive_faces[face] = 0;
     --left;
     for (const Index other : faces.subspan(static_cast<std::size_t>(coface) * width, width)) {
-      Cofaces& rest = cofaces[static_cast<std::size_t>(other)];
+      CofaceCount& rest = cofaces[static_cast<std::size_t>(other)];
       rest.remove(coface);
       if (rest.count == 1) free_faces.push(other);
     }

@@ -6,13 +6,13 @@
 #include "derham/boundary/small_homology.hpp"
 #include "derham/boundary/surface_name.hpp"
 #include "derham/complex/incidence.hpp"
+#include "derham/core/disjoint_sets.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/parallel.hpp"
 #include "derham/core/text.hpp"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -106,7 +106,7 @@ class ManifoldCheck {
     const Offset size = K_.size(k);
     std::vector<std::vector<std::pair<Index, Finding>>> findings(index((size + grain - 1) / grain));
     parallel_blocks(size, grain, [&](Offset begin, Offset end) {
-      std::vector<Index> scratch;
+      DisjointSets scratch;
       for (auto i = static_cast<Index>(begin); i < end; ++i) {
         if (marks_[index(k)][index(i)] == Mark::flawed) continue;
         if (Finding finding = judge(i, scratch)) findings[index(begin / grain)].emplace_back(i, std::move(finding));
@@ -166,7 +166,7 @@ class ManifoldCheck {
     std::vector<Index> link_vertices(index(K_.size(k)), 0);
     for (Index coface = 0; coface < K_.size(k + 1); ++coface)
       for (const Index face : K_.faces(k + 1, coface)) ++link_vertices[index(face)];
-    judge_all(k, [&](Index i, std::vector<Index>& scratch) -> Finding {
+    judge_all(k, [&](Index i, DisjointSets& scratch) -> Finding {
       if (is_sphere_or_disc(i, star[i], link_vertices[index(i)], scratch)) return {};
       const SimplexList triangles = link(k, i, star[i]);
       const bool split = SimplicialComplex<2>(triangles).component_count() > 1;
@@ -174,28 +174,19 @@ class ManifoldCheck {
     });
   }
 
-  bool is_sphere_or_disc(Index simplex, std::span<const Index> star, Index vertices, std::vector<Index>& parent) const {
-    parent.resize(star.size());
-    std::iota(parent.begin(), parent.end(), Index{0});
-    const auto root = [&](Index s) {
-      for (; parent[index(s)] != s; s = parent[index(s)]) parent[index(s)] = parent[index(parent[index(s)])];
-      return s;
-    };
-    auto components = static_cast<Offset>(star.size());
+  bool is_sphere_or_disc(Index simplex, std::span<const Index> star, Index vertices, DisjointSets& joined) const {
+    joined.reset(static_cast<Index>(star.size()));
     Offset boundary = 0;
     for_facets_about(n - 3, simplex, star, [&](std::size_t s, Index facet) {
       if (cofaces_.count[index(facet)] == 1) ++boundary;
       const Index earlier = cofaces_.first[index(facet)];  // the coface with the smaller index
       if (earlier == star[s]) return;
       const auto neighbour = std::ranges::lower_bound(star, earlier) - star.begin();
-      const Index a = root(static_cast<Index>(s)), b = root(static_cast<Index>(neighbour));
-      if (a == b) return;
-      parent[index(std::max(a, b))] = std::min(a, b);
-      --components;
+      joined.unite(static_cast<Index>(s), static_cast<Index>(neighbour));
     });
     const auto triangles = static_cast<Offset>(star.size());
     const Offset euler = vertices - (3 * triangles + boundary) / 2 + triangles;
-    return components == 1 && euler == (boundary == 0 ? 2 : 1);
+    return joined.count() == 1 && euler == (boundary == 0 ? 2 : 1);
   }
 
   /// Codimension 4 and more. Unless a coface is unproved the link is a combinatorial manifold, so a collapse proves it.
@@ -217,8 +208,9 @@ class ManifoldCheck {
     if (is_manifold && collapses_to_point(L, puncture, 1)) return {};
     const auto homology = small_homology(L);
     if (!(has_boundary ? is_homology_of_point(homology) : is_homology_of_sphere(homology)))
-      return std::pair(DefectKind::link, detail::link_text(text("a ", d, "-manifold with ", homology_text(homology)), d,
-                                                           k, homology.front().betti > 1));
+      return std::pair(DefectKind::link, detail::link_text(text("a ", d, is_manifold ? "-manifold" : "-complex",
+                                                                " with ", homology_text(homology)),
+                                                           d, k, homology.front().betti > 1));
     if (!is_manifold || collapses_to_point(L, puncture, collapse_attempts)) return {};
     return std::pair(
         DefectKind::unproved,

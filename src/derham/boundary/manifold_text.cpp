@@ -22,14 +22,18 @@ std::string noun(int k) {
   return k < 4 ? names[static_cast<std::size_t>(k)] : text(k, "-simplex");
 }
 
+namespace {
+std::string plural(int k) { return k < 4 ? noun(k) + "s" : text(k, "-simplices"); }
+}  // namespace
+
 std::string counted(Offset count, int k) {
   if (count == 1) return "1 " + noun(k);
   if (k == 0) return text(count, " vertices");
-  return text(count, " ", noun(k), k < 4 ? "s" : "es");
+  return text(count, " ", plural(k));
 }
 
 std::string numbered(std::span<const Index> indices, int k) {
-  std::string out = noun(k) + (k < 4 ? "s" : "es");
+  std::string out = plural(k);
   for (std::size_t i = 0; i < std::min(indices.size(), longest_list); ++i)
     out += (i ? ", " : " ") + std::to_string(indices[i]);
   return out + (indices.size() > longest_list ? ", …" : "");

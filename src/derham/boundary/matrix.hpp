@@ -19,8 +19,8 @@ struct SignMatrix {
   friend bool operator==(const SignMatrix&, const SignMatrix&) = default;
 };
 
-/// ∂_k in compressed rows: from each k-simplex to its faces, entry S(representative)(-1)^i for the face omitting vertex
-/// i.
+/// ∂_k in compressed rows: from each k-simplex to its faces, entry S(representative)(-1)^i for the face that omits
+/// vertex i.
 /// Shape    |K_{k-1}| × |K_k|, k+1 entries a column; 0 × |K_0| for k = 0
 /// Law      ∂_{k-1} ∂_k = 0 exactly
 /// Throws   InputError unless 0 <= k <= n

@@ -22,12 +22,13 @@ struct Ring {
 /// begins at the one of its two boundary top simplices with the smaller index; a closed one at its smallest index and
 /// goes on to the smaller of the two neighbours.
 /// Memory   one entry per pair of a top simplex and a codimension-2 face of it
-/// Source   Elcott & Schröder, "Building your own DEC at home", §2 (corrected: visited = total, open rings from the
-/// end)
+/// Source   Elcott & Schröder, "Building your own DEC at home", §2 (corrected: visited = total, open rings from
+///          the end)
 template <int n>
 class Rings {
  public:
   explicit Rings(const SimplicialComplex<n>& K);
+  explicit Rings(SimplicialComplex<n>&&) = delete;
 
   /// The ring about simplex i of degree n-2.
   /// Cost     linear in its length

@@ -30,9 +30,10 @@ struct SmithForm {
 /// The Smith normal form of an integer matrix, exact whatever the size of the intermediate integers.
 ///
 /// Columns are first eliminated by pivots +1 and -1, which on boundary matrices leaves a core of a few columns; the
-/// core is made diagonal densely. Cost     near linear when unit pivots abound with little fill-in; cubic in the core,
-/// for small matrices only Throws   InputError if a row index is outside [0, rows); LimitError if a divisor exceeds 63
-/// bits Source   Munkres, "Elements of Algebraic Topology", 1984, §11; Dumas, Heckenbach, Saunders & Welker, "Computing
+/// core is made diagonal densely.
+/// Cost     near linear when unit pivots abound with little fill-in; cubic in the core, for small matrices only
+/// Throws   InputError if a row index is outside [0, rows); LimitError if a divisor exceeds 63 bits
+/// Source   Munkres, "Elements of Algebraic Topology", 1984, §11; Dumas, Heckenbach, Saunders & Welker, "Computing
 ///          simplicial homology based on efficient Smith normal form algorithms", 2003
 [[nodiscard]] SmithForm smith_form(const IntegerMatrix& A);
 

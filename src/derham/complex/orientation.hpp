@@ -25,8 +25,8 @@ template <int n>
 class SimplicialComplex;
 
 /// The coherent orientation of the top simplices of K, found by breadth-first search across facets with two cofaces.
-/// `preferred` (|K_n|,) holds the sign +1 or -1 that each representative would like; the first top simplex of a component gets
-/// it.
+/// `preferred` (|K_n|,) holds the sign +1 or -1 that each representative would like; the first top simplex of a
+/// component gets it.
 /// Cost     linear
 /// Throws   InputError if `preferred` has another size or value
 /// Source   Elcott & Schröder, "Building your own DEC at home", §3.2, made independent of an embedding

@@ -2,13 +2,13 @@
 
 #include "derham/complex/construction.hpp"
 #include "derham/complex/validation.hpp"
+#include "derham/core/disjoint_sets.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace derham {
 namespace {
@@ -113,25 +113,12 @@ void SimplicialComplex<n>::orient_by(std::span<const double> weight) {
 
 template <int n>
 Index SimplicialComplex<n>::component_count() const {
-  std::vector<Index> parent(static_cast<std::size_t>(size(0)));
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto root = [&](Index v) {
-    while (parent[static_cast<std::size_t>(v)] != v) {
-      auto& up = parent[static_cast<std::size_t>(v)];
-      up = parent[static_cast<std::size_t>(up)];
-      v = up;
-    }
-    return v;
-  };
-  Index count = size(0);
+  DisjointSets joined(size(0));
   for (Index e = 0; e < size(1); ++e) {
     const auto edge = simplex(1, e);
-    const Index a = root(edge[0]), b = root(edge[1]);
-    if (a == b) continue;
-    parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    --count;
+    joined.unite(edge[0], edge[1]);
   }
-  return count;
+  return joined.count();
 }
 
 template <int n>

@@ -10,6 +10,11 @@ void sort_unique(std::vector<Index>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
+void require_inside(const std::vector<Index>& indices, int k, Index size) {
+  for (const Index i : indices)
+    if (i < 0 || i >= size) throw InputError(text("there is no ", k, "-simplex ", i, "; there are ", size));
+}
+
 }  // namespace
 
 template <int n>
@@ -19,6 +24,7 @@ bool SimplexSet<n>::contains(int k, Index i) const noexcept {
 
 template <int n>
 SimplexSet<n> closure(const SimplicialComplex<n>& K, SimplexSet<n> set) {
+  for (int k = 0; k <= n; ++k) require_inside(set.indices[static_cast<std::size_t>(k)], k, K.size(k));
   for (int k = n; k >= 1; --k) {
     auto& lower = set.indices[static_cast<std::size_t>(k) - 1];
     for (const Index i : set.indices[static_cast<std::size_t>(k)]) {
@@ -33,6 +39,8 @@ SimplexSet<n> closure(const SimplicialComplex<n>& K, SimplexSet<n> set) {
 template <int n>
 SimplexSet<n> star(const Cofaces<n>& cofaces, SimplexSet<n> set) {
   for (int k = 0; k < n; ++k) {
+    const auto degree = static_cast<std::size_t>(k);
+    require_inside(set.indices[degree], k, cofaces.table[degree].rows());
     auto& upper = set.indices[static_cast<std::size_t>(k) + 1];
     for (const Index i : set.indices[static_cast<std::size_t>(k)]) {
       const auto row = cofaces.table[static_cast<std::size_t>(k)][i];

@@ -2,6 +2,8 @@
 
 #include "derham/complex/incidence.hpp"
 #include "derham/complex/simplicial_complex.hpp"
+#include "derham/core/error.hpp"
+#include "derham/core/text.hpp"
 
 #include <array>
 #include <vector>
@@ -20,9 +22,10 @@ struct SimplexSet {
   friend bool operator==(const SimplexSet&, const SimplexSet&) = default;
 };
 
-/// The set that holds one simplex.
+/// The set that holds one simplex. Throws InputError unless 0 <= k <= n.
 template <int n>
 [[nodiscard]] SimplexSet<n> simplex_set(int k, Index i) {
+  if (k < 0 || k > n) throw InputError(text("a ", k, "-simplex in a complex of dimension ", n));
   SimplexSet<n> set;
   set.indices[static_cast<std::size_t>(k)].push_back(i);
   return set;
@@ -40,15 +43,18 @@ struct Cofaces {
 
 /// All faces of the simplices of `set`, and they themselves: the smallest subcomplex that holds the set.
 /// Cost     O(s log s) in the size s of the result
+/// Throws   InputError if an index is outside [0, |K_k|)
 template <int n>
 [[nodiscard]] SimplexSet<n> closure(const SimplicialComplex<n>& K, SimplexSet<n> set);
 
 /// All simplices that have a simplex of `set` as a face, and they themselves (open star).
 /// Cost     O(s log s) in the size s of the result
+/// Throws   InputError if an index is outside [0, |K_k|) for a degree k < n
 template <int n>
 [[nodiscard]] SimplexSet<n> star(const Cofaces<n>& cofaces, SimplexSet<n> set);
 
 /// Closure of the star without the star of the closure: for one simplex s, all t disjoint from s with s*t in K.
+/// Throws   InputError if an index is outside [0, |K_k|)
 template <int n>
 [[nodiscard]] SimplexSet<n> link(const SimplicialComplex<n>& K, const Cofaces<n>& cofaces, const SimplexSet<n>& set);
 

@@ -85,17 +85,30 @@ InputReport check_input(const SimplexList& rows, Index vertex_count) {
 }
 
 void require_valid_input(const InputReport& report, const SimplexList& rows, Index vertex_count) {
-  if (!report.out_of_range.empty()) {
+  // The first row that is wrong in itself or repeats an earlier one; of a row that is both, what it is in itself.
+  constexpr Offset none = std::numeric_limits<Offset>::max();
+  const auto first_row = [](const auto& list) { return list.empty() ? none : list.front().row; };
+  const Offset first =
+      std::min({first_row(report.out_of_range), first_row(report.repeats), first_row(report.duplicates)});
+  if (first != none && first == first_row(report.out_of_range)) {
     const auto [row, vertex] = report.out_of_range.front();
     const Index bound = vertex_count < 0 ? std::numeric_limits<Index>::max() : vertex_count;
     throw InputError(text("row ", row, " ", tuple_text(rows[row]), " has vertex ", vertex,
                           "; ids are 0-based positions, at least 0 and less than ", bound),
                      row);
   }
-  if (!report.repeats.empty()) {
+  if (first != none && first == first_row(report.repeats)) {
     const auto [row, vertex] = report.repeats.front();
     throw InputError(text("row ", row, " ", tuple_text(rows[row]), " repeats vertex ", vertex,
                           "; the vertices of a simplex are distinct. Remove the row or give the corner its own vertex"),
+                     row);
+  }
+  if (first != none) {
+    const auto [row, earlier] = report.duplicates.front();
+    throw InputError(text("row ", row, " ", tuple_text(rows[row]), " has the same vertices as row ", earlier, " ",
+                          tuple_text(rows[earlier]),
+                          "; each simplex is given once. Remove one, or, in a mesh glued from identified vertices, "
+                          "subdivide until every simplex has its own vertex set"),
                      row);
   }
   if (report.unused > 0) {
@@ -106,14 +119,6 @@ void require_valid_input(const InputReport& report, const SimplexList& rows, Ind
     throw InputError(text("vertex ", report.first_unused, " is in no simplex", where, "; every id up to the largest ",
                           "must be used, and ", report.unused, " are not. Drop unused vertices and renumber, or list ",
                           "the vertex as a 0-simplex of its own"),
-                     row);
-  }
-  if (!report.duplicates.empty()) {
-    const auto [row, first_row] = report.duplicates.front();
-    throw InputError(text("row ", row, " ", tuple_text(rows[row]), " has the same vertices as row ", first_row, " ",
-                          tuple_text(rows[first_row]),
-                          "; each simplex is given once. Remove one, or, in a mesh glued from identified vertices, "
-                          "subdivide until every simplex has its own vertex set"),
                      row);
   }
 }

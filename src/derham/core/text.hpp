@@ -1,15 +1,18 @@
 #pragma once
 
+#include <locale>
 #include <span>
 #include <sstream>
 #include <string>
 
 namespace derham {
 
-/// Everything written one after the other, as `operator<<` would: for messages, not for hot loops.
+/// Everything written one after the other, as `operator<<` would, whatever locale the program has set: for messages,
+/// not for hot loops.
 template <class... Parts>
 std::string text(const Parts&... parts) {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   (out << ... << parts);
   return out.str();
 }

@@ -15,9 +15,10 @@ struct DualFlag {
   double signed_volume = 0;  ///< negative where an odd number of circumcentres lie on the far side; units length^(n-k)
 };
 
-/// A dual cell of dimension 0 to 3 as it is drawn; at the boundary it is closed by the circumcentres of the boundary simplices.
-/// Its outline passes through the circumcentre of every facet it crosses. On a Delaunay mesh the cell is convex, but where a
-/// facet's circumcentre lies beyond the dual edge the outline runs there and back: a spike without area.
+/// A dual cell of dimension 0 to 3 as it is drawn; at the boundary it is closed by the circumcentres of the boundary
+/// simplices. Its outline passes through the circumcentre of every facet it crosses. On a Delaunay mesh the cell is
+/// convex, but where a facet's circumcentre lies beyond the dual edge the outline runs there and back: a spike without
+/// area.
 struct DualCell {
   int dimension = 0;
   std::vector<double> points;                 ///< (number of points, d) circumcentres, without repetition
@@ -34,6 +35,8 @@ class DualCells {
  public:
   /// Cost     one incidence table. Throws InputError unless 0 <= k <= n
   DualCells(const SimplicialComplex<n>& K, const Geometry<n>& geometry, int k);
+  DualCells(SimplicialComplex<n>&&, const Geometry<n>&, int) = delete;
+  DualCells(const SimplicialComplex<n>&, Geometry<n>&&, int) = delete;
 
   /// All flags of the dual cell of k-simplex i, (n-k)! for every top simplex around it.
   /// Law      their signed volumes sum to the dual volume
@@ -41,8 +44,8 @@ class DualCells {
   [[nodiscard]] std::vector<DualFlag> flags(Index i) const;
 
   /// The dual cell of k-simplex i as points, polylines and polygons, for n-k <= 3.
-  /// Throws   InputError for n-k > 3 and unless 0 <= i < |K_k|; TopologyError naming a facet of more than two top simplices; GeometryError naming
-  ///          a flat simplex
+  /// Throws   InputError for n-k > 3 and unless 0 <= i < |K_k|; TopologyError naming a facet of more than two top
+  ///          simplices; GeometryError naming a flat simplex
   [[nodiscard]] DualCell cell(Index i) const;
 
  private:

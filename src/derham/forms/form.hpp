@@ -42,6 +42,9 @@ class Form {
                             simplex_degree, "-simplex, and was given ", values_.size()));
   }
 
+  Form(SimplicialComplex<n>&&) = delete;
+  Form(SimplicialComplex<n>&&, std::vector<double>) = delete;
+
   [[nodiscard]] const SimplicialComplex<n>& complex() const noexcept { return *complex_; }
   [[nodiscard]] Index size() const noexcept { return static_cast<Index>(values_.size()); }
   [[nodiscard]] std::span<const double> values() const noexcept { return values_; }

@@ -69,8 +69,8 @@ struct CircumcentricSimplex {
 };
 
 /// From triangular coordinates (corner 0 at the origin, corner i+1 at row i). Needs pivots r[i][i] > 0.
-/// The circumcentre y solves r y = ½|r_i|²; the columns g_i of the inverse are the gradients of λ_i, 1/|g_i| the
-/// altitudes.
+/// The circumcentre y solves r y = ½|r_i|²; the columns g_i of the inverse are the gradients of λ_i, and 1/|g_i|
+/// the altitudes.
 /// Source   Hirani, Kalyanaraman, VanderZee, "Delaunay Hodge star", 2013 (the signs)
 template <int k>
 [[nodiscard]] inline CircumcentricSimplex<k> circumcentric(const TriangularMatrix<k>& r) noexcept {
@@ -121,8 +121,7 @@ class SimplexMetric {
   FaceArray<n, double> volume;  ///< 1 for vertices; 0 or infinite where doubles end
   double unit = 1;              ///< a power of two near the longest edge: what radius, height, coordinates() count in
   FaceArray<n, double> radius;  ///< circumradius, 0 for vertices; in `unit`s
-  /// height[mask][v] for v in mask: signed distance of the circumcentre of the face from its facet without v; in
-  /// `unit`s.
+  /// height[mask][v] for v in mask, in `unit`s: signed distance of the circumcentre of the face from its facet without v.
   FaceArray<n, std::array<double, n + 1>> height;
   bool degenerate = false;  ///< then radius and height are not set
 

@@ -25,6 +25,7 @@ class HodgeStar {
   /// Throws   TopologyError if K is not orientable (names a one-sided cycle); GeometryError if a top simplex is
   ///          degenerate or an entry out of the range of doubles (names it)
   HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
+  HodgeStar(SimplicialComplex<n>&&, const Geometry<n>&) = delete;
 
   [[nodiscard]] const SimplicialComplex<n>& complex() const noexcept { return *complex_; }
 

@@ -26,6 +26,9 @@ struct Descriptor {
   }
 };
 
+// Devices such as /dev/zero need not end.
+constexpr std::size_t longest_device = std::size_t{1} << 26;
+
 std::size_t longest_file() {
   const auto pages = ::sysconf(_SC_PHYS_PAGES);
   const auto page = ::sysconf(_SC_PAGESIZE);
@@ -50,12 +53,15 @@ FileBytes::FileBytes(const std::string& path) {
 
   // The size is only a first guess: pipes have none and files may grow. One byte more than the file lets the read that
   // finds its end happen without growing.
-  const std::size_t limit = longest_file();
+  const bool is_device = S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode);
+  const std::size_t limit = is_device ? longest_device : longest_file();
   std::size_t capacity = std::size_t{1} << 16;
   if (S_ISREG(status.st_mode) && status.st_size > 0) capacity = static_cast<std::size_t>(status.st_size) + 1;
   while (true) {
     if (capacity > limit)
-      throw LimitError(text(name, ": longer than ", limit, " bytes, half of this machine's memory"));
+      throw LimitError(text(
+          name, ": longer than ", limit, " bytes, ",
+          is_device ? "the most that is read from a device; give a file or a pipe" : "half of this machine's memory"));
     auto larger = std::make_unique_for_overwrite<char[]>(capacity);
     if (size_ > 0) std::memcpy(larger.get(), data_.get(), size_);
     data_ = std::move(larger);

@@ -12,7 +12,7 @@ class FileBytes {
  public:
   /// Reads `path`: a regular file, a pipe or device, or standard input when it is "-".
   /// Throws   FileError if it cannot be opened or read, or is a directory; LimitError if it is longer than half of the
-  ///          machine's memory (an endless stream ends here too)
+  ///          machine's memory (an endless pipe ends here too), or a device that gives more than 64 MiB
   explicit FileBytes(const std::string& path);
 
   [[nodiscard]] std::string_view view() const noexcept { return {data_.get(), size_}; }

@@ -30,6 +30,7 @@ class FormPicture {
  public:
   /// `points` has shape (|V|, m) row-major, m <= 3. Throws InputError from `write` if it has not.
   FormPicture(const SimplicialComplex<n>& K, int m, std::span<const double> points) : K_(&K), m_(m), points_(points) {}
+  FormPicture(SimplicialComplex<n>&&, int, std::span<const double>) = delete;
 
   /// Adds a form under a name. Throws InputError if the form belongs to another complex.
   template <int k, Side side>

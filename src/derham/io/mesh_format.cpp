@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <vector>
 
 namespace derham {
 namespace {
@@ -56,6 +58,34 @@ std::string names_where(Condition condition) {
   return out;
 }
 
+// Whether this is a .node or .ele file by how it goes on: a line "N d …" of 2 to 4 counts, then records numbered from 0
+// or 1 that are as long as the counts say. At least three of them, or a list of facets could look the same.
+bool looks_like_tetgen(Cursor file) {
+  constexpr std::int64_t most_looked_at = 100;
+  const auto numbers_of_line = [&] {
+    std::vector<double> numbers;
+    while (!file.at_line_end() && numbers.size() < 1000) numbers.push_back(file.real("a number"));
+    return numbers;
+  };
+  try {
+    if (!file.next_line()) return false;
+    const auto counts = numbers_of_line();
+    if (counts.size() < 2 || counts.size() > 4 || counts[0] < 3) return false;
+    double length = 1;
+    for (std::size_t i = 1; i < counts.size(); ++i) length += counts[i];
+    double base = 0;
+    for (std::int64_t i = 0; i < most_looked_at && static_cast<double>(i) < counts[0]; ++i) {
+      if (!file.next_line()) return false;
+      const auto record = numbers_of_line();
+      if (i == 0) base = record[0];
+      if (static_cast<double>(record.size()) != length || record[0] != base + static_cast<double>(i)) return false;
+    }
+    return base == 0 || base == 1;
+  } catch (const Error&) {
+    return false;  // a word, or a number that is none
+  }
+}
+
 bool is_read(const FormatTraits& traits) { return traits.read != nullptr || traits.format == MeshFormat::tetgen; }
 
 }  // namespace
@@ -100,7 +130,7 @@ MeshFormat detect_format(const std::string& path, std::string_view bytes) {
   constexpr std::array unread{"vtp", "meshb", "poly", "smesh", "inp", "xdmf", "stp", "step", "iges", "bdf", "cgns"};
   if (!format && std::ranges::find(unread, extension) == unread.end() && !first.empty() && first[0] >= '0' &&
       first[0] <= '9')
-    return MeshFormat::facets;
+    return looks_like_tetgen(Cursor(bytes, path, '#')) ? MeshFormat::tetgen : MeshFormat::facets;
   throw FileError(FileError::Action::read, path, 0,
                   text("not a mesh format that derham reads: ",
                        first.empty() ? "the file has no content" : "it begins with " + quoted_token(first),

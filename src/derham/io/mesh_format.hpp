@@ -36,7 +36,8 @@ enum class MeshFormat : std::uint8_t {
 [[nodiscard]] std::string writable_formats();
 
 /// The format of a file, by how its content begins ("OFF", "$…", an OBJ keyword), else by the extension of its name;
-/// a file without a known extension that begins with a number is a list of facets.
+/// a file without a known extension that begins with a number is a list of facets, unless it reads like a .node or .ele
+/// file (counts, then at least three numbered records as long as these say).
 /// `bytes` is the beginning of the file, or all of it.
 /// Throws   FileError if neither tells, or when the extension belongs to a format that derham does not read
 [[nodiscard]] MeshFormat detect_format(const std::string& path, std::string_view bytes);

@@ -29,8 +29,7 @@ class VtuFile {
   /// The rows of a mesh, one cell each. A periodic mesh gets one point per corner of every row (its point data are
   /// still given per vertex).
   /// Throws   InputError if a row has more than 4 vertices, m > 3, there are no positions or a wrong number of them, or
-  /// an
-  ///          id is outside [0, vertex_count)
+  ///          an id is outside [0, vertex_count)
   explicit VtuFile(const MeshData& mesh);
 
   /// Simplices of dimension <= 3 (dimensions may be mixed) on `points`, shape (vertices, m) row-major with 1 <= m <= 3.

@@ -42,8 +42,7 @@ namespace derham::meshes {
 
 /// Vertex v becomes image[v] and thereby one with all others of the same image.
 /// Throws   InputError naming the row if image is too short or negative, if a row loses a vertex, or if two rows become
-/// one:
-///          the result would be no simplicial complex with as many top simplices. Subdivide first.
+///          one: the result would be no simplicial complex with as many top simplices. Subdivide first.
 [[nodiscard]] SimplexList quotient(const SimplexList& A, std::span<const Index> image);
 /// Points become corners: every row stays where it was.
 [[nodiscard]] MeshData quotient(const MeshData& A, std::span<const Index> image);

@@ -8,8 +8,8 @@ namespace derham::meshes {
 /// volumes of all degrees are positive. n = 1 to 6: intervals, equilateral triangles (n = 2), body-centred tetrahedra
 /// (n = 3), …. There are cells^n vertices and n! cells^n simplices, positively oriented. With scale 1 the pairs of
 /// vertices at distance g along a simplex have squared length g(n+1-g)/(n+1): for n = 3 edges of √3/2 and 1. A_n* is
-/// Z^n compressed along its main diagonal by 1/√(n+1), and Kuhn's cut of the cubes becomes Delaunay. Throws InputError
-/// if cells < 3 or scale is not positive; LimitError
+/// Z^n compressed along its main diagonal by 1/√(n+1), and Kuhn's cut of the cubes becomes Delaunay.
+/// Throws   InputError if cells < 3 or scale is not positive; LimitError
 /// Source   Conway & Sloane, "Low-dimensional lattices VI", 1992 (the obtuse superbasis)
 [[nodiscard]] MeshData a_star_lattice(int n, Index cells, double scale = 1);
 
