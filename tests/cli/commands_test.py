@@ -153,6 +153,10 @@ class Check(Case):
         link = [d for d in report["defects"] if d["kind"] == "link"]
         self.assertEqual(link[0]["simplex"], [0])
         self.assertIn("10", link[0]["detail"])
+        tie = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1 0 0\nv -1 1 0\nf 1 2 3\nf 1 4 5\n"
+        report = self.json("check", self.file("tie.obj", tie), code=1)
+        self.assertEqual(report["defects"][0]["simplex"], [0])
+        self.assertIn("file numbers 1]", report["defects"][0]["detail"])
 
 
 class Refusals(Case):

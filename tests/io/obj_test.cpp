@@ -19,6 +19,7 @@ TEST(Obj, ReadsAllFormsOfCorners) {
   EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2}, {0, 2, 3}}));
   EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}));
   EXPECT_EQ(mesh.vertex_count, 4);
+  EXPECT_EQ(mesh.vertex_tags, (std::vector<std::int64_t>{1, 2, 3, 4}));
   EXPECT_EQ(mesh.ambient_dimension, 3);
   EXPECT_EQ(mesh.lower_count(), 2);
 }

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -139,6 +140,8 @@ MeshData read_obj(Cursor& file, const ReadOptions& options) {
     }
   }
   corners.finish(mesh.vertex_count);
+  mesh.vertex_tags.resize(static_cast<std::size_t>(mesh.vertex_count));
+  std::iota(mesh.vertex_tags.begin(), mesh.vertex_tags.end(), 1);  // OBJ numbers vertices from 1
   polygons.note_on(mesh);
   std::move(rows).move_to(mesh);
   return mesh;

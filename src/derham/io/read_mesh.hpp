@@ -42,7 +42,8 @@ namespace derham {
 ///          part_offsets[i+1]. Other arrays are skipped and noted.
 ///
 /// The simplices of the highest dimension in the file are the rows, in the file's order (facets: every line is a row);
-/// `lower` and `parts` hold the others and what they name. `vertex_tags` and `row_tags` hold the file's numbers where they are not 0, 1, 2….
+/// `lower` and `parts` hold the others and what they name. `vertex_tags` and `row_tags` hold the numbers that the file
+/// gives to vertices and rows, where they are not 0, 1, 2….
 /// Vertex ids are positions in the file and lie in [0, vertex_count); whether rows repeat or vertices are unused is not
 /// checked here.
 /// Throws   FileError (file, line, what was found, what was expected) for everything else that is wrong, among it wrong
