@@ -134,6 +134,8 @@ class Cursor {
   const char* accept(Number& value, const char* what) {
     while (at_ != end_ && is_blank(*at_)) ++at_;
     const char* const token = at_;
+    if constexpr (std::is_integral_v<Number>)
+      if (accept_short(value)) return token;
     const char* start = at_;
     if constexpr (std::is_floating_point_v<Number>)  // from_chars takes no plus sign, some writers set it
       if (end_ - at_ > 1 && *at_ == '+' && at_[1] != '-') ++start;
@@ -142,6 +144,22 @@ class Cursor {
       fail_number(error, std::is_integral_v<Number>, what);
     at_ = end;
     return token;
+  }
+
+  // Nearly all integers are so short that they cannot overflow: no need of the checks in from_chars.
+  bool accept_short(std::int64_t& value) noexcept {
+    constexpr std::ptrdiff_t safe_digits = 18;
+    const char* digit = at_;
+    const bool is_negative = digit != end_ && *digit == '-';
+    if (is_negative) ++digit;
+    const char* const first = digit;
+    const char* const stop = end_ - digit > safe_digits ? digit + safe_digits : end_;
+    std::int64_t magnitude = 0;
+    for (; digit != stop && *digit >= '0' && *digit <= '9'; ++digit) magnitude = 10 * magnitude + (*digit - '0');
+    if (digit == first || (digit != end_ && !is_blank(*digit) && *digit != '\n' && *digit != comment_)) return false;
+    value = is_negative ? -magnitude : magnitude;
+    at_ = digit;
+    return true;
   }
 
   [[noreturn]] void fail_number(std::errc error, bool integral, const char* what) const;

@@ -11,6 +11,8 @@ namespace derham {
 namespace {
 
 constexpr auto any = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t lowest_group = std::numeric_limits<std::int32_t>::min();
+constexpr std::int64_t highest_group = std::numeric_limits<std::int32_t>::max();
 
 void read_binary_nodes(GmshInput& input, MeshData& mesh) {
   constexpr std::int64_t record = 4 + 3 * 8;
@@ -43,7 +45,7 @@ void read_text_elements(GmshReading& reading, Index count) {
     const auto type = gmsh_type(type_number, reading.options.corner_nodes);
     if (type.degree < 0) fail_gmsh_type(file, type_number);
     const auto tags = file.integer("the number of tags", 0, any);
-    const auto group = tags > 0 ? reading.input.integer("a physical group") : 0;
+    const auto group = tags > 0 ? file.integer("a physical group", lowest_group, highest_group) : 0;
     for (std::int64_t tag = 1; tag < tags; ++tag) (void)file.integer("a tag");
     const int corners = type.degree + 1;
     for (int v = 0; v < type.nodes; ++v) {
