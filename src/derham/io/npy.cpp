@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
-#include <cstring>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <system_error>
 #include <type_traits>
@@ -186,20 +187,65 @@ void each_in_fortran_order(const NpyArray& array, Put put) {
   }
 }
 
+// Walks over the numbers of a block, each turned into `Out`: a vector is made from it without being zeroed first.
+template <class T, class Out>
+class Numbers {
+ public:
+  using iterator_category = std::random_access_iterator_tag;
+  using value_type = Out;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const Out*;
+  using reference = Out;
+
+  Numbers() = default;
+  Numbers(const char* at, bool swap) : at_(at), swap_(swap) {}
+  Out operator*() const { return static_cast<Out>(load_number<T>(at_, swap_)); }
+  Numbers& operator++() {
+    at_ += sizeof(T);
+    return *this;
+  }
+  Numbers operator++(int) {
+    auto old = *this;
+    ++*this;
+    return old;
+  }
+  Numbers& operator--() {
+    at_ -= sizeof(T);
+    return *this;
+  }
+  Numbers& operator+=(difference_type count) {
+    at_ += count * static_cast<difference_type>(sizeof(T));
+    return *this;
+  }
+  Numbers operator+(difference_type count) const { return Numbers(*this) += count; }
+  friend difference_type operator-(const Numbers& a, const Numbers& b) {
+    return (a.at_ - b.at_) / static_cast<difference_type>(sizeof(T));
+  }
+  friend bool operator==(const Numbers& a, const Numbers& b) { return a.at_ == b.at_; }
+
+ private:
+  const char* at_ = nullptr;
+  bool swap_ = false;
+};
+
 template <class Out>
 std::vector<Out> converted(const NpyArray& array) {
-  std::vector<Out> out(static_cast<std::size_t>(array.count()));
+  std::vector<Out> out;
   with_type(array, [&]<class T>(T) {
     const char* const data = array.data.data();
-    const auto number = [&](std::size_t i) {
-      return static_cast<Out>(load_number<T>(data + i * sizeof(T), array.swap));
-    };
-    if (array.fortran && array.shape.size() > 1)
-      each_in_fortran_order(array, [&](std::size_t i, std::size_t position) { out[i] = number(position); });
-    else if (std::is_same_v<T, Out> && !array.swap)
-      out.empty() ? nullptr : std::memcpy(out.data(), data, array.data.size());
-    else
-      for (std::size_t i = 0; i < out.size(); ++i) out[i] = number(i);
+    const auto count = static_cast<std::ptrdiff_t>(array.count());
+    if (array.fortran && array.shape.size() > 1) {
+      out.resize(static_cast<std::size_t>(count));
+      each_in_fortran_order(array, [&](std::size_t i, std::size_t position) {
+        out[i] = static_cast<Out>(load_number<T>(data + position * sizeof(T), array.swap));
+      });
+    } else if (array.swap) {
+      const Numbers<T, Out> first(data, true);
+      out.assign(first, first + count);
+    } else {
+      const Numbers<T, Out> first(data, false);
+      out.assign(first, first + count);
+    }
   });
   return out;
 }
