@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -138,6 +139,9 @@ TEST(WriteGmsh, RefusesWhatTheFormatCannotHold) {
   mesh = random_mesh(2, 3);
   mesh.fields[0] = {"big", MeshField::On::vertices, 10, std::vector<double>(300)};
   refused(mesh, "field \"big\" has 10 components");
+  mesh = random_mesh(2, 3);
+  mesh.fields[0].values[7] = std::numeric_limits<double>::quiet_NaN();
+  refused(mesh, "field \"heat\" has values that are not finite");
   EXPECT_EQ(directory.file_count(), 0);
 }
 

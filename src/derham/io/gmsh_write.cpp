@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <set>
@@ -54,6 +55,8 @@ void require_fit(const Source& source, bool is_41, bool is_binary) {
     if (field.components > 9)
       throw InputError(
           text("field ", gmsh_quoted(field.name), " has ", field.components, " components; a .msh file holds 1 to 9"));
+    if (!std::ranges::all_of(field.values, [](double value) { return std::isfinite(value); }))
+      throw InputError(text("field ", gmsh_quoted(field.name), " has values that are not finite numbers"));
   }
 }
 

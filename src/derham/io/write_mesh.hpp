@@ -18,7 +18,7 @@ namespace derham {
 ///          order), 2.2 unless `gmsh_41`. Row i is element i+1; lower simplices, parts and fields follow, a vertex in a
 ///          part as a point. Parts whose number is not from 1 to 2^31-1 get the next free one. Names are written as they
 ///          are, without control characters and at most 127 bytes long; the programs of others may end a name at a quote
-///          within it. Fields of up to 9 components, padded with zeros to 1, 3 or 9.
+///          within it. Fields of finite values and up to 9 components, padded with zeros to 1, 3 or 9.
 /// medit    n = 1 to 3; m <= 3 (padded to 2); parts as references: the number of the first part a simplex is in
 /// off, obj n <= 2
 /// ply      n <= 2; doubles, binary unless asked otherwise; fields are properties, one per component
