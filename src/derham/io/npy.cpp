@@ -237,6 +237,7 @@ std::vector<Out> converted(const NpyArray& array) {
     if (array.fortran && array.shape.size() > 1) {
       out.resize(static_cast<std::size_t>(count));
       each_in_fortran_order(array, [&](std::size_t i, std::size_t position) {
+        // NOLINTNEXTLINE(bugprone-signed-char-misuse): 8-bit integers are numbers here
         out[i] = static_cast<Out>(load_number<T>(data + position * sizeof(T), array.swap));
       });
     } else if (array.swap) {
