@@ -27,7 +27,7 @@ install(FILES ${PROJECT_BINARY_DIR}/derhamConfig.cmake ${PROJECT_BINARY_DIR}/der
 
 set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH pkgconfig_to_prefix /prefix/${pkgconfig_dir} /prefix)
-set(pkgconfig_private "gmp zlib")
+set(pkgconfig_private "gmp pugixml zlib")
 set(pkgconfig_flags "")
 if(DERHAM_THREADS STREQUAL "tbb")
   string(APPEND pkgconfig_private " tbb")

@@ -7,6 +7,8 @@
 #include "io/stl_samples.hpp"
 
 #include "io/medit_samples.hpp"
+#include "io/vtk_samples.hpp"
+#include "io/vtu_samples.hpp"
 
 #include <array>
 #include <string_view>
@@ -64,6 +66,19 @@ inline constexpr std::array sample_files{
     SampleFile{MeshFormat::gmsh, "gmsh_41_big_endian_32", gmsh_41_big_endian_32, false,
                gmsh_end(gmsh_41_big_endian_32)},
     SampleFile{MeshFormat::medit, "medit", medit_sample, true, medit_sample.find("-2\nCorners") + 2},
+    SampleFile{MeshFormat::vtk, "vtk_ascii_51", vtk_ascii_51_sample, true, vtk_ascii_51_sample.find("\nPOINT_DATA")},
+    SampleFile{MeshFormat::vtk, "vtk_ascii_30", vtk_ascii_30_sample, true, vtk_ascii_30_sample.size() - 1},
+    SampleFile{MeshFormat::vtk, "vtk_binary_30", vtk_binary_30_sample, false,
+               vtk_binary_30_sample.find("\nPOINT_DATA")},
+    SampleFile{MeshFormat::vtk, "vtk_binary_51", vtk_binary_51_sample, false, vtk_binary_51_sample.size() - 1},
+    SampleFile{MeshFormat::vtk, "vtk_polydata", vtk_polydata_sample, true, vtk_polydata_sample.find("\nLINES")},
+    SampleFile{MeshFormat::vtu, "vtu_ascii", vtu_ascii_sample, true, vtu_ascii_sample.size() - 1},
+    SampleFile{MeshFormat::vtu, "vtu_inline", vtu_inline_sample, true, vtu_inline_sample.size() - 1},
+    SampleFile{MeshFormat::vtu, "vtu_inline_zlib", vtu_inline_zlib_sample, true, vtu_inline_zlib_sample.size() - 1},
+    SampleFile{MeshFormat::vtu, "vtu_raw", vtu_raw_sample, false, vtu_raw_sample.size() - 1},
+    SampleFile{MeshFormat::vtu, "vtu_raw_zlib", vtu_raw_zlib_sample, false, vtu_raw_zlib_sample.size() - 1},
+    SampleFile{MeshFormat::vtu, "vtu_base64", vtu_base64_sample, true, vtu_base64_sample.size() - 1},
+    SampleFile{MeshFormat::vtu, "vtu_base64_zlib", vtu_base64_zlib_sample, true, vtu_base64_zlib_sample.size() - 1},
     SampleFile{MeshFormat::off, "off", off_sample, true, off_sample.find(" 3\n", off_sample.size() - 4)},
     SampleFile{MeshFormat::obj, "obj", obj_sample},
     SampleFile{MeshFormat::ply, "ply_ascii", ply_ascii_sample, true, ply_ascii_sample.size() - 3},

@@ -17,6 +17,8 @@ namespace derham {
 [[nodiscard]] MeshData read_tetgen(Cursor& nodes, Cursor& simplices);
 [[nodiscard]] MeshData read_gmsh(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_medit(Cursor& file, const ReadOptions& options);
+[[nodiscard]] MeshData read_vtk(Cursor& file, const ReadOptions& options);
+[[nodiscard]] MeshData read_vtu(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_off(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_obj(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_ply(Cursor& file, const ReadOptions& options);
@@ -27,6 +29,7 @@ namespace derham {
 void write_tetgen(TextWriter& nodes, TextWriter& simplices, const MeshData& mesh);
 void write_gmsh(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_medit(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
+void write_vtk(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_off(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_obj(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_ply(TextWriter& file, const MeshData& mesh, const WriteOptions& options);

@@ -24,6 +24,12 @@ namespace derham {
 /// medit    .mesh, ASCII, m = 2 or 3: edges, triangles, tetrahedra; references other than 0 become parts, also those of
 ///          the vertices. Corners, ridges, normals and the like are skipped and noted; quadrilaterals are split if
 ///          `triangulate` is set.
+/// vtk      legacy, ASCII and binary, versions 1.0 to 5.1; UNSTRUCTURED_GRID and POLYDATA, m = 3. Vertices, lines,
+///          triangles, tetrahedra; polygons and quadrilaterals see `triangulate`, cells of higher order `corner_nodes`.
+///          Arrays of numbers on points and cells become fields; where cells of several dimensions are mixed, those of
+///          the rows alone keep theirs. Arrays of the whole data set are dropped and noted.
+/// vtu      as vtk, one piece: numbers as text, base64 or appended (raw, base64), plain or compressed by zlib, either
+///          byte order.
 /// off      m = 3; faces of 1 to 3 vertices, with or without colours; larger ones see ReadOptions::triangulate, as in all
 ///          surface formats.
 /// obj      m = 3; p, l and f lines; texture coordinates, normals, groups and materials are skipped.

@@ -5,38 +5,20 @@
 #include "derham/io/atomic_file.hpp"
 #include "derham/io/formats.hpp"
 #include "derham/io/text_writer.hpp"
+#include "derham/io/vtk_cells.hpp"
+#include "derham/io/xml_text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
+#include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 namespace derham {
 namespace {
-
-std::string escaped(std::string_view name) {
-  std::string out;
-  for (const char c : name) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::size_t value_bytes(const VtuFile::Values& values) {
   return std::visit([](auto v) { return sizeof(v[0]); }, values);
@@ -47,20 +29,74 @@ const char* type_name(const VtuFile::Values& values) {
   return names[values.index()];
 }
 
-// The XML part: it announces every array with the offset of its block in the appended data.
-class Header {
+// Writes numbers one after the other, as bytes or as text of its own lines.
+class NumberWriter {
  public:
-  void array(const char* type, std::string_view name, int components, std::size_t bytes) {
-    xml_ += text("        <DataArray type=\"", type, "\" Name=\"", escaped(name), "\" NumberOfComponents=\"",
-                 components, "\" format=\"appended\" offset=\"", offset_, "\"/>\n");
-    offset_ += sizeof(std::uint64_t) + bytes;
+  NumberWriter(TextWriter& file, bool is_text) : file_(file), is_text_(is_text) {}
+  template <class Number>
+  void put(Number value) {
+    if (!is_text_) {
+      file_.put_bytes(value);
+      return;
+    }
+    if constexpr (sizeof(Number) == 1)
+      file_.put(int{value});
+    else
+      file_.put(value);
+    constexpr int numbers_per_line = 12;
+    file_.put(++count_ % numbers_per_line == 0 ? '\n' : ' ');
   }
-  void line(std::string_view line) { (xml_ += line) += '\n'; }
-  [[nodiscard]] const std::string& xml() const noexcept { return xml_; }
 
  private:
-  std::string xml_;
+  TextWriter& file_;
+  bool is_text_;
+  int count_ = 0;
+};
+
+// One array of the file: its element, and what writes its numbers.
+struct Block {
+  const char* type;
+  std::string_view name;
+  int components;
+  std::size_t bytes;
+  std::function<void(NumberWriter&)> put;
+};
+
+// The elements of the file with their arrays: in text the numbers stand inside, else they are appended as raw bytes.
+class Document {
+ public:
+  Document(TextWriter& file, bool is_text) : file_(file), is_text_(is_text) {}
+  void line(std::string_view line) { file_.put(line).put('\n'); }
+  void array(Block block) {
+    file_.put("        <DataArray type=\"").put(block.type).put("\" Name=\"").put(xml_escaped(block.name));
+    file_.put("\" NumberOfComponents=\"").put(block.components);
+    if (is_text_) {
+      file_.put("\" format=\"ascii\">\n");
+      NumberWriter numbers(file_, true);
+      block.put(numbers);
+      file_.put("\n        </DataArray>\n");
+      return;
+    }
+    file_.put("\" format=\"appended\" offset=\"").put(offset_).put("\"/>\n");
+    offset_ += sizeof(std::uint64_t) + block.bytes;
+    appended_.push_back(std::move(block));
+  }
+  void append() {
+    if (is_text_) return;
+    file_.put("  <AppendedData encoding=\"raw\">\n_");
+    NumberWriter numbers(file_, false);
+    for (const auto& block : appended_) {
+      numbers.put(static_cast<std::uint64_t>(block.bytes));
+      block.put(numbers);
+    }
+    file_.put("\n  </AppendedData>\n");
+  }
+
+ private:
+  TextWriter& file_;
+  bool is_text_;
   std::size_t offset_ = 0;
+  std::vector<Block> appended_;
 };
 
 }  // namespace
@@ -118,75 +154,92 @@ void VtuFile::write(const std::string& path) const {
   file.commit();
 }
 
-void VtuFile::write(TextWriter& file) const {
+void VtuFile::write(TextWriter& file, bool as_text) const {
   const auto ids = simplices_.vertices();
   const auto point_count = one_point_per_corner_ ? ids.size() : static_cast<std::size_t>(vertex_count_);
   const auto cell_count = static_cast<std::size_t>(simplices_.size());
-  const auto array_bytes = [](const Array& array, std::size_t items) {
-    return items * static_cast<std::size_t>(array.components) * value_bytes(array.values);
-  };
   constexpr auto int64_bytes = sizeof(std::int64_t);
 
-  Header header;
-  header.line("<?xml version=\"1.0\"?>");
-  header.line(text("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"",
-                   std::endian::native == std::endian::little ? "Little" : "Big", "Endian\" header_type=\"UInt64\">"));
-  header.line("  <UnstructuredGrid>");
-  header.line(text("    <Piece NumberOfPoints=\"", point_count, "\" NumberOfCells=\"", cell_count, "\">"));
-  header.line("      <Points>");
-  header.array("Float64", "Points", 3, point_count * 3 * sizeof(double));
-  header.line("      </Points>\n      <Cells>");
-  header.array("Int64", "connectivity", 1, ids.size() * int64_bytes);
-  header.array("Int64", "offsets", 1, cell_count * int64_bytes);
-  header.array("UInt8", "types", 1, cell_count);
-  header.line("      </Cells>\n      <PointData>");
-  for (const auto& a : point_arrays_)
-    header.array(type_name(a.values), a.name, a.components, array_bytes(a, point_count));
-  header.line("      </PointData>\n      <CellData>");
-  for (const auto& a : cell_arrays_)
-    header.array(type_name(a.values), a.name, a.components, array_bytes(a, cell_count));
-  header.line("      </CellData>\n    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">");
-
-  file.put(header.xml()).put('_');
-  const auto begin_block = [&](std::size_t bytes) { file.put_bytes(static_cast<std::uint64_t>(bytes)); };
-
+  Document document(file, as_text);
+  document.line("<?xml version=\"1.0\"?>");
+  document.line(text("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"",
+                     std::endian::native == std::endian::little ? "Little" : "Big",
+                     "Endian\" header_type=\"UInt64\">\n  <UnstructuredGrid>"));
+  document.line(text("    <Piece NumberOfPoints=\"", point_count, "\" NumberOfCells=\"", cell_count, "\">"));
+  document.line("      <Points>");
   const auto m = static_cast<std::size_t>(ambient_dimension_);
-  begin_block(point_count * 3 * sizeof(double));
-  for (std::size_t i = 0; i < point_count; ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis) file.put_bytes(axis < m ? points_[i * m + axis] : 0.0);
-  begin_block(ids.size() * int64_bytes);
-  for (std::size_t i = 0; i < ids.size(); ++i)
-    file.put_bytes(one_point_per_corner_ ? static_cast<std::int64_t>(i) : std::int64_t{ids[i]});
-  begin_block(cell_count * int64_bytes);
-  std::int64_t end = 0;
-  for (Offset i = 0; i < simplices_.size(); ++i) file.put_bytes(end += static_cast<std::int64_t>(simplices_[i].size()));
-  begin_block(cell_count);
-  constexpr std::array<std::uint8_t, 4> cell_types{1, 3, 5, 10};  // VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA
-  for (Offset i = 0; i < simplices_.size(); ++i) file.put_bytes(cell_types[simplices_[i].size() - 1]);
+  document.array({"Float64", "Points", 3, point_count * 3 * sizeof(double), [&](NumberWriter& numbers) {
+                    for (std::size_t i = 0; i < point_count; ++i)
+                      for (std::size_t axis = 0; axis < 3; ++axis) numbers.put(axis < m ? points_[i * m + axis] : 0.0);
+                  }});
+  document.line("      </Points>\n      <Cells>");
+  document.array({"Int64", "connectivity", 1, ids.size() * int64_bytes, [&](NumberWriter& numbers) {
+                    for (std::size_t i = 0; i < ids.size(); ++i)
+                      numbers.put(one_point_per_corner_ ? static_cast<std::int64_t>(i) : std::int64_t{ids[i]});
+                  }});
+  document.array({"Int64", "offsets", 1, cell_count * int64_bytes, [&](NumberWriter& numbers) {
+                    std::int64_t end = 0;
+                    for (Offset i = 0; i < simplices_.size(); ++i)
+                      numbers.put(end += static_cast<std::int64_t>(simplices_[i].size()));
+                  }});
+  document.array({"UInt8", "types", 1, cell_count, [&](NumberWriter& numbers) {
+                    for (Offset i = 0; i < simplices_.size(); ++i)
+                      numbers.put(vtk_cell_types[simplices_[i].size() - 1]);
+                  }});
 
-  for (const auto& a : point_arrays_) {
-    begin_block(array_bytes(a, point_count));
-    const auto width = static_cast<std::size_t>(a.components);
-    std::visit(
-        [&](auto values) {
-          for (std::size_t i = 0; i < point_count; ++i) {
-            const std::size_t vertex = one_point_per_corner_ ? static_cast<std::size_t>(ids[i]) : i;
-            for (std::size_t c = 0; c < width; ++c) file.put_bytes(values[vertex * width + c]);
-          }
-        },
-        a.values);
-  }
-  for (const auto& a : cell_arrays_) {
-    begin_block(array_bytes(a, cell_count));
-    std::visit(
-        [&](auto values) {
-          for (const auto value : values) file.put_bytes(value);
-        },
-        a.values);
-  }
-  file.put("\n  </AppendedData>\n</VTKFile>\n");
+  const auto data_array = [&](const Array& array, std::size_t items, bool per_corner) {
+    const auto width = static_cast<std::size_t>(array.components);
+    document.array({type_name(array.values), array.name, array.components, items * width * value_bytes(array.values),
+                    [&array, width, items, per_corner, ids](NumberWriter& numbers) {
+                      std::visit(
+                          [&](auto values) {
+                            for (std::size_t i = 0; i < items; ++i) {
+                              const std::size_t item = per_corner ? static_cast<std::size_t>(ids[i]) : i;
+                              for (std::size_t c = 0; c < width; ++c) numbers.put(values[item * width + c]);
+                            }
+                          },
+                          array.values);
+                    }});
+  };
+  document.line("      </Cells>\n      <PointData>");
+  for (const auto& array : point_arrays_) data_array(array, point_count, one_point_per_corner_);
+  document.line("      </PointData>\n      <CellData>");
+  for (const auto& array : cell_arrays_) data_array(array, cell_count, false);
+  document.line("      </CellData>\n    </Piece>\n  </UnstructuredGrid>");
+  document.append();
+  file.put("</VTKFile>\n");
 }
 
-void write_vtu(TextWriter& file, const MeshData& mesh, const WriteOptions&) { VtuFile(mesh).write(file); }
+void write_vtu(TextWriter& file, const MeshData& mesh, const WriteOptions& options) {
+  const bool as_text = options.encoding == WriteOptions::Encoding::ascii;
+  // The rows first, then what is listed beside them, highest dimension first; of periodic meshes only the rows.
+  const Offset lower = mesh.has_corners() ? 0 : mesh.lower_count();
+  std::vector<std::vector<double>> padded;
+  std::optional<VtuFile> vtu;
+  if (lower == 0) {
+    vtu.emplace(mesh);
+  } else {
+    auto cells = mesh.simplices;
+    for (std::size_t k = mesh.lower.size(); k-- > 0;)
+      for (Offset i = 0; i < mesh.lower[k].size(); ++i) cells.push_back(mesh.lower[k][i]);
+    vtu.emplace(mesh.ambient_dimension, mesh.points, std::move(cells));
+  }
+  padded.reserve(mesh.fields.size());
+  for (const auto& field : mesh.fields) {
+    std::span<const double> values = field.values;
+    if (field.on == MeshField::On::vertices) {
+      vtu->point_data(field.name.empty() ? "unnamed" : field.name, values, field.components);
+      continue;
+    }
+    if (lower > 0) {
+      auto& copy = padded.emplace_back(field.values);
+      copy.resize(copy.size() + static_cast<std::size_t>(lower * field.components),
+                  std::numeric_limits<double>::quiet_NaN());
+      values = copy;
+    }
+    vtu->cell_data(field.name.empty() ? "unnamed" : field.name, values, field.components);
+  }
+  vtu->write(file, as_text);
+}
 
 }  // namespace derham

@@ -43,7 +43,8 @@ class VtuFile {
 
   /// Writes the file, complete or not at all; "-" is standard output. Throws FileError if it cannot be written.
   void write(const std::string& path) const;
-  void write(TextWriter& file) const;
+  /// As above; `as_text` writes numbers as text inside the XML instead of appended bytes.
+  void write(TextWriter& file, bool as_text = false) const;
 
  private:
   struct Array {

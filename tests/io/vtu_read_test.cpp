@@ -1,0 +1,150 @@
+#include "derham/io/pvd_file.hpp"
+#include "derham/io/write_mesh.hpp"
+
+#include "io/io_fixture.hpp"
+#include "io/sample_files.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace derham::io_test {
+namespace {
+
+MeshData read(std::string_view bytes) { return read_mesh_from_memory(bytes, MeshFormat::vtu, "mesh"); }
+void refused(std::string_view bytes, std::int64_t line, const std::string& part) {
+  expect_refused(bytes, MeshFormat::vtu, line, part);
+}
+std::string replaced(std::string_view bytes, std::string_view what, std::string_view with) {
+  std::string out(bytes);
+  const auto at = out.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return out.replace(at, what.size(), with);
+}
+
+void expect_sample(const MeshData& mesh) {
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2, 3}, {1, 2, 3, 4}}));
+  EXPECT_EQ(mesh.vertex_count, 5);
+  EXPECT_EQ(mesh.ambient_dimension, 3);
+  EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}));
+  ASSERT_EQ(mesh.lower.size(), 3u);
+  EXPECT_EQ(mesh.lower[2], (SimplexList{{0, 1, 2}}));
+  ASSERT_EQ(mesh.fields.size(), 2u);
+  EXPECT_EQ(mesh.fields[0].name, "u");
+  EXPECT_EQ(mesh.fields[0].on, MeshField::On::vertices);
+  ASSERT_EQ(mesh.fields[0].values.size(), 5u);
+  EXPECT_EQ(mesh.fields[0].values[4], 4);
+  EXPECT_TRUE(std::isnan(mesh.fields[0].values[3]));
+  EXPECT_EQ(mesh.fields[1], (MeshField{"r", MeshField::On::rows, 2, {1, 2, 3, 4}}));
+}
+
+TEST(VtuRead, ReadsEveryEncoding) {
+  for (const auto sample : {vtu_ascii_sample, vtu_inline_sample, vtu_inline_zlib_sample, vtu_raw_sample,
+                            vtu_raw_zlib_sample, vtu_base64_sample, vtu_base64_zlib_sample})
+    expect_sample(read(sample));
+  EXPECT_EQ(read(vtu_raw_sample).notes,
+            (std::vector<std::string>{"field 'r': 2 values on cells of lower dimension are not kept"}));
+}
+
+TEST(VtuRead, ElementsInsideArraysAndStringsAreNoNumbers) {
+  const auto mesh = read(replaced(vtu_ascii_sample, "0 1 2 nan 4</DataArray>",
+                                  "0 1 2 nan 4 <InformationKey name=\"a\">7</InformationKey></DataArray>"
+                                  "<Array type=\"String\" Name=\"s\">1 2</Array>"));
+  expect_sample(mesh);
+  EXPECT_EQ(mesh.notes[0], "'Array' 's' is not kept");
+}
+
+TEST(VtuRead, WritesWhatItReads) {
+  const TemporaryDirectory directory;
+  auto mesh = read(vtu_raw_sample);
+  mesh.fields[0].name = "<u> & \"w\"\n\t\xc3\xbc";
+  for (const auto encoding : {WriteOptions::Encoding::usual, WriteOptions::Encoding::ascii}) {
+    WriteOptions options;
+    options.encoding = encoding;
+    write_mesh(directory / "a.vtu", mesh, MeshFormat::vtu, options);
+    auto back = read_mesh(directory / "a.vtu");
+    EXPECT_EQ(back.fields[0].name, mesh.fields[0].name);
+    back.fields[0].name = "u";
+    expect_sample(back);
+    EXPECT_TRUE(back.notes.empty());
+  }
+  mesh.fields[1].values.pop_back();
+  EXPECT_THROW(write_mesh(directory / "b.vtu", mesh, MeshFormat::vtu), InputError);
+}
+
+TEST(VtuRead, RefusesDamageInXml) {
+  const auto refused_with = [](std::string_view what, std::string_view with, std::int64_t line, const char* part) {
+    refused(replaced(vtu_ascii_sample, what, with), line, part);
+  };
+  refused("<VTKFile>", 1, "does not end with </VTKFile>");
+  refused("<a></VTKFile>", 1, "not well-formed XML");
+  refused("<a><VTKFile></VTKFile></a></VTKFile>", 1, "not well-formed");
+  refused_with("type=\"UnstructuredGrid\"", "type=\"ImageData\"", 2, "of type 'ImageData'; expected UnstructuredGrid");
+  refused_with("LittleEndian", "MiddleEndian", 2, "byte_order is 'MiddleEndian'");
+  refused_with("UInt32", "UInt8", 2, "header_type is 'UInt8'");
+  refused_with("header_type=\"UInt32\"", "compressor=\"vtkLZ4DataCompressor\"", 2, "'vtkLZ4DataCompressor'");
+  refused_with("<Piece ", "<Part ", 19, "not well-formed");
+  refused_with("</Piece>", "</Piece><Piece/>", 19, "several pieces");
+  refused_with("NumberOfPoints=\"5\"", "NumberOfPoints=\"-5\"", 4, "NumberOfPoints is '-5'");
+  refused_with("NumberOfPoints=\"5\"", "NumberOfPoints=\"1152921504606846976\"", 4, "cannot hold so many");
+  refused_with("NumberOfPoints=\"5\"", "NumberOfPoints=\"6\"", 12, "of 6 times 3 numbers has only");
+  refused_with("NumberOfPoints=\"5\"", "NumberOfPoints=\"4\"", 12, "found '1', expected the end of the array");
+  refused_with("NumberOfCells=\"3\"", "NumberOfCells=\"2\"", 16, "found '11', expected the end of the array");
+  refused_with("Float64", "Float16", 12, "an array of type 'Float16'");
+  refused_with("Name=\"offsets\"", "Name=\"ends\"", 14, "the cells have no array offsets");
+  refused_with("4 8 11", "4 4 11", 16, "an offset is 4, expected more than the one before");
+  refused_with("4 8 11", "4 8 9999999", 15, "has only");
+  refused_with("10 10 5", "10 10 300", 17, "a cell type is 300");
+  refused_with("10 10 5", "10 10 12", 14, "is a hexahedron");
+  refused_with("3 4 0 1 2", "3 5 0 1 2", 15, "a point id is 5, expected 0 to 4");
+  refused_with("0 1 1 1 1<", "0 1 1 1 inf<", 12, "finite");
+  refused_with("0 1 2 nan 4", "0 1 2 nan x", 6, "'x', expected a number");
+  refused_with("format=\"ascii\"", "format=\"morse\"", 6, "format is 'morse'");
+  refused_with("NumberOfComponents=\"2\"", "NumberOfComponents=\"0\"", 9, "NumberOfComponents is 0");
+  refused_with("NumberOfComponents=\"3\"", "NumberOfComponents=\"2\"", 12, "2 components, expected 3");
+}
+
+TEST(VtuRead, RefusesDamageInData) {
+  refused(replaced(vtu_inline_sample, "Float32", "Float64"), 6, "has 20 bytes, expected 40");
+  const auto inline_start = vtu_inline_sample.find(">\n", vtu_inline_sample.find("Name=\"u\"")) + 2;
+  auto damaged = std::string(vtu_inline_sample);
+  damaged[inline_start + 20] = '!';
+  refused(damaged, 6, "are not base64");
+  damaged = vtu_inline_sample;
+  damaged.insert(damaged.find("\n</DataArray>"), "AAAA");
+  refused(damaged, 7, "goes on after its last number");
+  refused(replaced(vtu_raw_sample, "offset=\"0\"", "offset=\"100000\""), 0, "bytes of appended data");
+  refused(replaced(vtu_raw_sample, "offset=\"0\"", "offset=\"1\""), 0, "expected 20");
+  refused(replaced(vtu_raw_sample, "encoding=\"raw\"", "encoding=\"hex\""), 21, "the encoding is 'hex'");
+  refused(replaced(vtu_raw_sample, ">\n_", ">\n"), 21, "underscore");
+  refused(replaced(vtu_raw_sample, "</AppendedData>\n", ""), 24, "does not end with </AppendedData>");
+  damaged = vtu_raw_zlib_sample;
+  const auto data = damaged.find("\n_") + 2;
+  damaged[data + 17] = static_cast<char>(damaged[data + 17] ^ 0x40);
+  refused(damaged, 0, "array 'u': block 0 is not 20 bytes compressed by zlib");
+  damaged = vtu_raw_zlib_sample;
+  damaged[data + 3] = '\x10';
+  refused(damaged, 0, "blocks of 40 bytes");
+  damaged = vtu_raw_zlib_sample;
+  damaged[data + 14] = '\x10';
+  refused(damaged, 0, "its blocks are cut short");
+  // A billion bytes are announced consistently, but so few compressed ones cannot become them.
+  damaged = replaced(vtu_raw_zlib_sample, "NumberOfComponents=\"1\"", "NumberOfComponents=\"50000\"");
+  damaged.replace(damaged.find("\n_") + 2, 12, std::string("\x01\0\0\0\x40\x42\x0f\0\0\0\0\0", 12));
+  refused(damaged, 0, "compressed bytes cannot become 1000000");
+}
+
+TEST(PvdFile, WritesTimesAndEscapedNames) {
+  const TemporaryDirectory directory;
+  PvdFile series;
+  series.add(0, "a&b.vtu").add(0.1, "c.vtu").write(directory / "a.pvd");
+  EXPECT_EQ(read_bytes(directory / "a.pvd"),
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n  <Collection>\n"
+            "    <DataSet timestep=\"0\" part=\"0\" file=\"a&amp;b.vtu\"/>\n"
+            "    <DataSet timestep=\"0.1\" part=\"0\" file=\"c.vtu\"/>\n  </Collection>\n</VTKFile>\n");
+  EXPECT_THROW(series.add(NAN, "x"), InputError);
+  EXPECT_THROW(series.add(1, ""), InputError);
+}
+
+}  // namespace
+}  // namespace derham::io_test
