@@ -72,6 +72,17 @@ TEST(VtuRead, WritesWhatItReads) {
   EXPECT_THROW(write_mesh(directory / "b.vtu", mesh, MeshFormat::vtu), InputError);
 }
 
+TEST(VtuRead, TheLastBytesOfTheDataMayLookLikeBlanks) {
+  const TemporaryDirectory directory;
+  auto mesh = read(vtu_raw_sample);
+  mesh.lower.clear();
+  mesh.fields.clear();
+  write_mesh(directory / "a.vtu", mesh);  // ends with the types of the cells, 10 is a line end
+  const auto bytes = read_bytes(directory / "a.vtu");
+  EXPECT_NE(bytes.find("\n\n\n  </AppendedData>"), std::string::npos);
+  EXPECT_EQ(read_mesh(directory / "a.vtu").simplices, mesh.simplices);
+}
+
 TEST(VtuRead, RefusesDamageInXml) {
   const auto refused_with = [](std::string_view what, std::string_view with, std::int64_t line, const char* part) {
     refused(replaced(vtu_ascii_sample, what, with), line, part);

@@ -91,14 +91,15 @@ class VtuReader {
     auto end = trimmed_size(whole_);
     const auto drop = [&](std::string_view tag) {
       if (!whole_.substr(0, end).ends_with(tag)) fail_at(end, text("the file does not end with ", tag));
-      end = trimmed_size(whole_.substr(0, end - tag.size()));
+      end -= tag.size();
     };
+    drop("</VTKFile>");
+    auto head = whole_;
     const auto tag = whole_.find("<AppendedData");
     const auto tag_end = whole_.find('>', tag);
-    auto head = whole_;
-    drop("</VTKFile>");
     if (tag_end != std::string_view::npos && whole_[tag_end - 1] != '/') {
-      drop("</AppendedData>");
+      end = trimmed_size(whole_.substr(0, end));
+      drop("</AppendedData>");  // the bytes before it are data, also where they look like blanks
       const auto begin = whole_.find_first_not_of(" \t\r\n", tag_end + 1);
       if (begin == std::string_view::npos || begin >= end || whole_[begin] != '_')
         fail_at(tag_end, "the appended data do not begin with an underscore");
