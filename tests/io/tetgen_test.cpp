@@ -3,6 +3,7 @@
 #include "io/io_fixture.hpp"
 #include "io/sample_files.hpp"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -104,6 +105,106 @@ TEST(Tetgen, FindsTheOtherFileOfThePair) {
     EXPECT_EQ(error.path(), directory / "c.ele");
     EXPECT_EQ(error.line(), 2);
   }
+}
+
+TEST(Tetgen, AttributesAreFieldsAndMarkersParts) {
+  const auto mesh = read(tetgen_sample);
+  EXPECT_EQ(mesh.fields, (std::vector<MeshField>{{"attribute 1", MeshField::On::vertices, 1, {0.5, 0.5, -1, 7, 7}},
+                                                 {"attribute 1", MeshField::On::rows, 1, {-3, 1.5}}}));
+  EXPECT_EQ(mesh.parts, (std::vector<MeshPart>{{"", 1, 0, {0, 2, 3, 4}}}));
+  // A single integral attribute of the simplices is a region.
+  const auto regions = read(square + "2 3 1\n0 0 1 2 4\n1 0 2 3 0\n");
+  EXPECT_EQ(regions.parts, (std::vector<MeshPart>{{"", 4, 2, {0}}}));
+  EXPECT_TRUE(regions.fields.empty());
+  EXPECT_EQ(read(square + "1 3 2\n0 0 1 2 4 5\n").fields.size(), 2u);
+  EXPECT_TRUE(std::isnan(read(square + "1 3 1\n0 0 1 2 nan\n").fields.at(0).values[0]));
+  refused("1 2 1001 0\n", 1, "the number of attributes is 1001");
+}
+
+const std::string four_nodes = "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
+
+TEST(Tetgen, ReadsFacesAndEdgesBesideTheMesh) {
+  const TemporaryDirectory directory;
+  write_bytes(directory / "a.node", four_nodes);
+  write_bytes(directory / "a.ele", "1 4\n1 1 2 3 4\n");
+  write_bytes(directory / "a.face", "# two of them\n2 1\n1 1 2 3 -1\n2 4 3 2 6\n");
+  auto mesh = read_mesh(directory / "a.ele");
+  ASSERT_EQ(mesh.lower.size(), 3u);
+  EXPECT_EQ(mesh.lower[2], (SimplexList{{0, 1, 2}, {3, 2, 1}}));
+  EXPECT_EQ(mesh.parts, (std::vector<MeshPart>{{"", -1, 2, {0}}, {"", 6, 2, {1}}}));
+  write_bytes(directory / "a.edge", "1 1\n1 4 1 3\n");
+  mesh = read_mesh(directory / "a.node");
+  EXPECT_EQ(mesh.lower[1], (SimplexList{{3, 0}}));
+  EXPECT_EQ(mesh.parts.back(), (MeshPart{"", 3, 1, {0}}));
+  // With the tetrahedra beside them, and without markers.
+  write_bytes(directory / "a.face", "1 1\n1 1 2 3 5 1 -1\n");
+  write_bytes(directory / "a.edge", "1 0\n1 4 1 1\n");
+  mesh = read_mesh(directory / "a.node");
+  EXPECT_EQ(mesh.parts, (std::vector<MeshPart>{{"", 5, 2, {0}}}));
+  EXPECT_EQ(mesh.lower_count(), 2);
+
+  const auto expect_face_refused = [&](const std::string& bytes, std::int64_t line, const std::string& part) {
+    write_bytes(directory / "a.face", bytes);
+    try {
+      (void)read_mesh(directory / "a.node");
+      ADD_FAILURE() << bytes;
+    } catch (const FileError& error) {
+      EXPECT_EQ(error.path(), directory / "a.face");
+      EXPECT_EQ(error.line(), line);
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  expect_face_refused("", 1, "the number of faces");
+  expect_face_refused("3 1\n1 1 2 3 0\n", 2, "the file ends after 1 of 3 faces");
+  expect_face_refused("300 1\n1 1 2 3 0\n", 1, "cannot hold so many");
+  expect_face_refused("1 1\n1 1 2 5 0\n", 2, "a node number is 5, expected 1 to 4");
+  expect_face_refused("1 1\n1 1 2 3\n", 2, "the end of the line");
+  expect_face_refused("1 1\n1 1 2 3 0 7\n", 2, "'7', expected the end of the line");
+  expect_face_refused("1 0\n1 1 2 3 1 2 3\n", 2, "a quadratic face");
+  expect_face_refused("1 0\n1 1 2 3\n2 1 2 4\n", 3, "expected the end of the file");
+}
+
+TEST(Tetgen, FacesBesideTrianglesAreNotRead) {
+  const TemporaryDirectory directory;
+  write_bytes(directory / "a.node", square);
+  write_bytes(directory / "a.ele", "1 3\n0 0 1 2\n");
+  write_bytes(directory / "a.face", "1 0\n0 0 1 3\n");
+  const auto mesh = read_mesh(directory / "a.node");
+  EXPECT_TRUE(mesh.lower.empty());
+  ASSERT_EQ(mesh.notes.size(), 1u);
+  EXPECT_NE(mesh.notes[0].find("a.face is not read"), std::string::npos);
+}
+
+TEST(Tetgen, WritesWhatItReadsAndLeavesNothingStale) {
+  const TemporaryDirectory directory;
+  MeshData mesh;
+  mesh.simplices = SimplexList{{0, 1, 2, 3}, {1, 2, 3, 4}};
+  mesh.vertex_count = 5;
+  mesh.ambient_dimension = 3;
+  mesh.points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1.0 / 3};
+  mesh.lower = {SimplexList(), SimplexList{{0, 3}}, SimplexList{{0, 1, 2}, {1, 2, 3}}};
+  mesh.parts = {{"", 7, 3, {1}}, {"", 2, 2, {0, 1}}, {"", 4, 1, {0}}, {"", -1, 0, {0, 4}}};
+  mesh.fields = {{"attribute 1", MeshField::On::vertices, 1, {1, 2, 3, 4, 0.1}}};
+  EXPECT_TRUE(not_carried(mesh, MeshFormat::tetgen).empty());
+  write_mesh(directory / "a.node", mesh);
+  EXPECT_EQ(directory.file_count(), 4);
+  auto back = read_mesh(directory / "a.ele");
+  EXPECT_EQ(back.simplices, mesh.simplices);
+  EXPECT_EQ(back.points, mesh.points);
+  EXPECT_EQ(back.lower, mesh.lower);
+  EXPECT_EQ(back.parts, mesh.parts);
+  EXPECT_EQ(back.fields, mesh.fields);
+
+  mesh.fields.push_back({"w", MeshField::On::rows, 2, {1, 2, 3, 4}});
+  mesh.lower[1] = mesh.lower[2] = SimplexList();
+  mesh.parts.resize(1);
+  EXPECT_EQ(not_carried(mesh, MeshFormat::tetgen).size(), 2u);
+  write_mesh(directory / "a.node", mesh);
+  EXPECT_EQ(directory.file_count(), 2);
+  back = read_mesh(directory / "a.node");
+  EXPECT_EQ(back.lower_count(), 0);
+  ASSERT_EQ(back.fields.size(), 3u);
+  EXPECT_EQ(back.fields[2], (MeshField{"attribute 2", MeshField::On::rows, 1, {2, 4}}));
 }
 
 }  // namespace

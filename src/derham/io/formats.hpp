@@ -9,12 +9,18 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // One reader and one writer per format; read_mesh.hpp and write_mesh.hpp say what they do. Not installed.
 namespace derham {
 
-/// Both parts may be in one file: then both arguments are the same cursor.
-[[nodiscard]] MeshData read_tetgen(Cursor& nodes, Cursor& simplices);
+/// The files of a TetGen mesh. Nodes and simplices may be in one: then both are the same cursor.
+struct TetgenFiles {
+  Cursor &nodes, &simplices;
+  Cursor* faces = nullptr;
+  Cursor* edges = nullptr;
+};
+[[nodiscard]] MeshData read_tetgen(const TetgenFiles& files);
 [[nodiscard]] MeshData read_gmsh(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_medit(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_vtk(Cursor& file, const ReadOptions& options);
@@ -26,7 +32,12 @@ namespace derham {
 [[nodiscard]] MeshData read_facets(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_npz(Cursor& file, const ReadOptions& options);
 
-void write_tetgen(TextWriter& nodes, TextWriter& simplices, const MeshData& mesh);
+struct TetgenWriters {
+  TextWriter &nodes, &simplices;
+  TextWriter* faces = nullptr;
+  TextWriter* edges = nullptr;
+};
+void write_tetgen(const TetgenWriters& files, const MeshData& mesh);
 void write_gmsh(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_medit(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_vtk(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
@@ -63,10 +74,17 @@ struct FormatTraits {
 /// Whether these are all the bytes of a binary STL file: its length fits the number of triangles it gives.
 [[nodiscard]] bool is_binary_stl(std::string_view bytes) noexcept;
 
-/// NAME.node and NAME.ele for either of the two, or for NAME itself.
+/// NAME.node, NAME.ele and their companions for either of the two, or for NAME itself.
 struct TetgenPaths {
-  std::string node, ele;
+  std::string node, ele, face, edge;
 };
 [[nodiscard]] TetgenPaths tetgen_paths(const std::string& path);
+
+/// What of a mesh these files cannot hold beside what the markers cannot, one phrase each.
+[[nodiscard]] std::vector<std::string> lost_in_tetgen(const MeshData& mesh);
+
+/// Writes the files of a mesh: .face and .edge if there is something to write into them; else those of an older mesh are
+/// removed, for they would be read with this one.
+void write_tetgen_files(const TetgenPaths& paths, const MeshData& mesh);
 
 }  // namespace derham

@@ -18,7 +18,7 @@ constexpr auto none = Cursor::no_comment;
 constexpr std::array table{
     // clang-format off
     //            format              name      extensions  magic              comment  reader       writer        n     m     parts  lower  fields
-    FormatTraits{MeshFormat::tetgen, "tetgen", "node ele", "",                    '#',  nullptr,     nullptr,      2, 3, 2, 3, false, false, false},
+    FormatTraits{MeshFormat::tetgen, "tetgen", "node ele", "",                    '#',  nullptr,     nullptr,      2, 3, 2, 3, true,  true,  true },
     FormatTraits{MeshFormat::gmsh,   "gmsh",   "msh",      "$",                   none, read_gmsh,   write_gmsh,   0, 3, 1, 3, true,  true,  true},
     FormatTraits{MeshFormat::medit,  "medit",  "mesh",     "MeshVersionFormatted", '#', read_medit, write_medit,  1, 3, 1, 3, true,  true,  false},
     FormatTraits{MeshFormat::vtk,    "vtk",    "vtk",      "# vtk DataFile",      none, read_vtk,    write_vtk,    0, 3, 1, 3, false, true,  true },

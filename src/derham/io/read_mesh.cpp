@@ -6,6 +6,10 @@
 #include "derham/io/file_bytes.hpp"
 #include "derham/io/formats.hpp"
 
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
 namespace derham {
 namespace {
 
@@ -18,6 +22,22 @@ FileBytes companion(const std::string& path, const std::string& of) {
                     text("cannot read the file that belongs to ", of, "; a TetGen mesh is a pair of .node and .ele"));
   }
 }
+
+// A file of a TetGen mesh that need not exist.
+class OptionalFile {
+ public:
+  explicit OptionalFile(const std::string& path) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) return;
+    bytes_.emplace(path);
+    cursor_.emplace(bytes_->view(), path, '#');
+  }
+  [[nodiscard]] Cursor* cursor() noexcept { return cursor_ ? &*cursor_ : nullptr; }
+
+ private:
+  std::optional<FileBytes> bytes_;
+  std::optional<Cursor> cursor_;
+};
 
 // What the options ask of every format alike.
 MeshData finished(MeshData mesh, const ReadOptions& options) {
@@ -52,7 +72,7 @@ MeshData read_mesh_from_memory(std::string_view bytes, MeshFormat format, const 
     throw FileError(FileError::Action::read, name, 0, "the file is empty");
   const auto& traits = format_traits(format);
   Cursor file(bytes, name, traits.comment);
-  if (format == MeshFormat::tetgen) return finished(read_tetgen(file, file), options);
+  if (format == MeshFormat::tetgen) return finished(read_tetgen({file, file}), options);
   if (traits.read == nullptr)
     throw FileError(FileError::Action::read, name, 0,
                     text("derham writes ", format_name(format), " but does not read it"));
@@ -65,15 +85,16 @@ MeshData read_mesh(const std::string& path, std::optional<MeshFormat> format, co
   if (!format && bytes.view().empty() && format_by_extension(name) != MeshFormat::facets)
     throw FileError(FileError::Action::read, name, 0, "the file is empty");
   if (!format) format = detect_format(name, bytes.view());
-  const auto [node_path, ele_path] = tetgen_paths(path);
-  const bool is_pair = *format == MeshFormat::tetgen && (path == node_path || path == ele_path);
+  const auto paths = tetgen_paths(path);
+  const bool is_pair = *format == MeshFormat::tetgen && (path == paths.node || path == paths.ele);
   if (!is_pair) return read_mesh_from_memory(bytes.view(), *format, name, options);
 
-  const bool is_ele = path == ele_path;
-  const FileBytes other = companion(is_ele ? node_path : ele_path, path);
-  Cursor nodes(is_ele ? other.view() : bytes.view(), node_path, '#');
-  Cursor simplices(is_ele ? bytes.view() : other.view(), ele_path, '#');
-  return finished(read_tetgen(nodes, simplices), options);
+  const bool is_ele = path == paths.ele;
+  const FileBytes other = companion(is_ele ? paths.node : paths.ele, path);
+  Cursor nodes(is_ele ? other.view() : bytes.view(), paths.node, '#');
+  Cursor simplices(is_ele ? bytes.view() : other.view(), paths.ele, '#');
+  OptionalFile faces(paths.face), edges(paths.edge);
+  return finished(read_tetgen({nodes, simplices, faces.cursor(), edges.cursor()}), options);
 }
 
 }  // namespace derham

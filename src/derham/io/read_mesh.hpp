@@ -12,9 +12,11 @@ namespace derham {
 
 /// The mesh in a file; `path` "-" is standard input. Without `format` it is detected (see `detect_format`).
 ///
-/// tetgen   `path` is NAME.node or NAME.ele, the other is found beside it. Nodes are numbered from 0 or 1, as the first
-///          one says. Triangles (m = 2 or 3) or tetrahedra (m = 3); attributes and markers are checked and dropped. On
-///          standard input the .ele file follows the .node file.
+/// tetgen   `path` is NAME.node or NAME.ele, the other is found beside it, NAME.face and NAME.edge where they exist (they
+///          become `lower`). Nodes are numbered from 0 or 1, as the first one says. Triangles (m = 2 or 3) or tetrahedra
+///          (m = 3). Markers other than 0 become parts. Attributes become fields "attribute 1"…; but a single attribute
+///          of the simplices that is integral throughout is TetGen's region: parts, 0 being none. On standard input the
+///          .ele file follows the .node file; faces and edges cannot.
 /// gmsh     .msh 2.2 and 4.1, text and binary of either byte order, m = 3 also for planar meshes. Points, lines, triangles
 ///          and tetrahedra; physical groups are parts (a negative number is that of the group), $NodeData and $ElementData
 ///          are fields, of which all values must be there; of several time steps the last is kept. An element that is

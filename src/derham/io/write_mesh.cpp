@@ -91,10 +91,13 @@ std::vector<std::string> not_carried(const MeshData& mesh, MeshFormat format, co
   if (traits.largest_ambient > 3 && !traits.holds_fields && has_metric) lose("positions");
   if (!mesh.parts.empty() && !traits.holds_parts) lose("parts (", mesh.parts.size(), ")");
   if (mesh.lower_count() > 0 && !traits.holds_lower) lose("simplices of lower dimension (", mesh.lower_count(), ")");
-  if (format == MeshFormat::medit) {  // one number per simplex, and no simplices of dimension 0
+  if (format == MeshFormat::medit ||
+      format == MeshFormat::tetgen) {  // one number per simplex, and no simplices of dimension 0
     for (const auto& phrase : lost_in_part_numbers(mesh)) lose(phrase);
     if (!mesh.lower.empty() && !mesh.lower[0].empty()) lose("points as simplices (", mesh.lower[0].size(), ")");
   }
+  if (format == MeshFormat::tetgen)
+    for (const auto& phrase : lost_in_tetgen(mesh)) lose(phrase);
   if (!mesh.fields.empty() && !traits.holds_fields) lose("fields (", mesh.fields.size(), ")");
   if (!mesh.forms.empty() && format != MeshFormat::npz) lose("forms (", mesh.forms.size(), ")");
   if (!mesh.edge_lengths_squared.empty() && format != MeshFormat::npz) lose("edge lengths");
@@ -113,22 +116,12 @@ void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format
   const auto& traits = format_traits(format);
   if (format != MeshFormat::facets) require_fit(mesh, traits);
 
-  const auto [node_path, ele_path] = tetgen_paths(path);
-  const bool is_pair = format == MeshFormat::tetgen && path != "-";
-  AtomicFile file(is_pair ? node_path : path);
+  if (format == MeshFormat::tetgen && path != "-") return write_tetgen_files(tetgen_paths(path), mesh);
+
+  AtomicFile file(path);
   TextWriter writer(file);
-  if (is_pair) {
-    AtomicFile ele_file(ele_path);
-    TextWriter ele_writer(ele_file);
-    write_tetgen(writer, ele_writer, mesh);
-    writer.flush();
-    ele_writer.flush();
-    file.commit();
-    ele_file.commit();
-    return;
-  }
   if (format == MeshFormat::tetgen)
-    write_tetgen(writer, writer, mesh);
+    write_tetgen({writer, writer}, mesh);
   else if (traits.write != nullptr)
     traits.write(writer, mesh, options);
   else
