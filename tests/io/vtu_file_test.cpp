@@ -33,8 +33,10 @@ struct ParsedVtu {
       EXPECT_EQ(offset, end_of_blocks);
       std::uint64_t size = 0;
       std::memcpy(&size, data.data() + offset, sizeof size);
-      arrays[attribute("Name")] = {attribute("type"), std::stoi(attribute("NumberOfComponents")),
-                                   data.substr(offset + sizeof size, size)};
+      arrays[attribute("Name")] = {
+          attribute("type"),
+          tag.find("NumberOfComponents") == std::string::npos ? 1 : std::stoi(attribute("NumberOfComponents")),
+          data.substr(offset + sizeof size, size)};
       end_of_blocks = offset + sizeof size + size;
     }
     EXPECT_EQ(data.substr(end_of_blocks), "\n  </AppendedData>\n</VTKFile>\n");

@@ -69,15 +69,16 @@ class Document {
   void line(std::string_view line) { file_.put(line).put('\n'); }
   void array(Block block) {
     file_.put("        <DataArray type=\"").put(block.type).put("\" Name=\"").put(xml_escaped(block.name));
-    file_.put("\" NumberOfComponents=\"").put(block.components);
+    file_.put('"');
+    if (block.components > 1) file_.put(" NumberOfComponents=\"").put(block.components).put('"');
     if (is_text_) {
-      file_.put("\" format=\"ascii\">\n");
+      file_.put(" format=\"ascii\">\n");
       NumberWriter numbers(file_, true);
       block.put(numbers);
       file_.put("\n        </DataArray>\n");
       return;
     }
-    file_.put("\" format=\"appended\" offset=\"").put(offset_).put("\"/>\n");
+    file_.put(" format=\"appended\" offset=\"").put(offset_).put("\"/>\n");
     offset_ += sizeof(std::uint64_t) + block.bytes;
     appended_.push_back(std::move(block));
   }
