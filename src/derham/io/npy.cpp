@@ -194,8 +194,8 @@ class Numbers {
   using iterator_category = std::random_access_iterator_tag;
   using value_type = Out;
   using difference_type = std::ptrdiff_t;
-  using pointer = const Out*;
-  using reference = Out;
+  using pointer = const Out*;  // NOLINT(readability-identifier-naming): the names that iterators have
+  using reference = Out;       // NOLINT(readability-identifier-naming)
 
   Numbers() = default;
   Numbers(const char* at, bool swap) : at_(at), swap_(swap) {}

@@ -76,6 +76,7 @@ class Numbers {
   std::int64_t integer(Type type, const char* what) {
     if (!is_text_) {
       const char* const at = file_.bytes(ply::size_of(type), what).data();
+      // NOLINTNEXTLINE(bugprone-signed-char-misuse): 8-bit integers are numbers here
       return with_type(type, [&]<class T>(T) { return static_cast<std::int64_t>(load_number<T>(at, swap_)); });
     }
     return with_type(type, [&]<class T>(T) {
@@ -131,6 +132,7 @@ class Numbers {
         file_.bytes(static_cast<std::int64_t>(out.size()) * size, "the vertices of a simplex").data();
     with_type(type, [&]<class T>(T) {
       for (std::size_t i = 0; i < out.size(); ++i) {
+        // NOLINTNEXTLINE(bugprone-signed-char-misuse): 8-bit integers are numbers here
         const auto id = static_cast<std::int64_t>(load_number<T>(at + i * sizeof(T), swap_));
         if (id < 0 || id >= vertex_count) file_.rewind(start + static_cast<std::int64_t>(i * sizeof(T)));
         out[i] = checked(id, vertex_count);
@@ -152,6 +154,7 @@ class Numbers {
         std::array<Index, 3> row{};
         bool sound = true;
         for (std::size_t i = 0; i < 3; ++i) {
+          // NOLINTNEXTLINE(bugprone-signed-char-misuse): 8-bit integers are numbers here
           const auto id = static_cast<std::int64_t>(load_number<T>(at + 1 + i * sizeof(T), swap_));
           sound &= id >= 0 && id < vertex_count;
           row[i] = static_cast<Index>(id);

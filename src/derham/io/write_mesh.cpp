@@ -8,8 +8,6 @@
 #include "derham/io/text_writer.hpp"
 
 #include <algorithm>
-
-#include <algorithm>
 #include <iterator>
 
 namespace derham {
