@@ -75,7 +75,7 @@ template <int n>
 void check_metric(const LoadedMesh& loaded, SimplicialComplex<n>& K, DefectList& defects) {
   const MeshData& mesh = loaded.mesh;
   if constexpr (n >= 1 && n <= 4) {
-    if (!K.is_pure() || mesh.ambient_dimension < n || !(mesh.has_points() || mesh.has_corners())) return;
+    if (!K.is_pure() || !(mesh.has_points() || mesh.has_corners())) return;
     const auto geometry = Geometry<n>::from_mesh(K, mesh);
     orient_by_volume(K, geometry);
     const QualityReport report = quality(K, geometry);

@@ -88,6 +88,13 @@ LoadedMesh read_only(const Input& input, Console& console) {
   LoadedMesh loaded;
   loaded.path = input.path == "-" ? "stdin" : input.path;
   loaded.mesh = read_input(input, console);
+  const MeshData& mesh = loaded.mesh;
+  if (mesh.ambient_dimension > 0 && mesh.simplices.dimension() > mesh.ambient_dimension)
+    throw Failure(
+        Exit::unreadable, "input",
+        text(loaded.path, ": simplices of dimension ", mesh.simplices.dimension(), " with positions in dimension ",
+             mesh.ambient_dimension, "; a complex in space needs at least its own dimension"),
+        loaded.path);
   loaded.file_tags = std::move(loaded.mesh.vertex_tags);
   loaded.mesh.vertex_tags.clear();
   if (loaded.mesh.lower_count() > 0)

@@ -201,6 +201,12 @@ class Refusals(Case):
         self.assertEqual(self.json("info", "-", stdin=nodes + "1 3 0\n1 1 2 3\n")["simplices"], [3, 3, 1])
         self.refused(3, "check", "-", stdin="3 3 0\n1 1 2 3\n2 2 3 4\n3 3 4 5\n")  # an .ele file without nodes
 
+    def test_tetrahedra_in_the_plane(self):
+        mesh = self.file("flat.mesh", "MeshVersionFormatted 2\nDimension 2\nVertices 4\n0 0 0 1 0 0 0 1 0 1 1 0\n"
+                         "Tetrahedra 1\n1 2 3 4 0\nEnd\n")
+        for command in (("info",), ("check",), ("operators", "--out", self.directory / "out")):
+            self.assertIn("dimension 3", self.refused(3, *command, mesh)["message"])
+
     def test_unreadable(self):
         missing = self.refused(3, "info", self.directory / "missing.msh")
         self.assertIn("missing.msh", missing["file"])

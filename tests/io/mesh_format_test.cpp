@@ -36,6 +36,11 @@ TEST(MeshFormat, TetgenIsKnownByItsRecords) {
   EXPECT_EQ(detected("5 2 0\n1 2 3\n2 3 4\n3 4 0\n"), MeshFormat::facets);              // fewer than it counts
 }
 
+TEST(MeshFormat, TheTitleOfAVtkFileSaysNothing) {
+  for (const std::string title : {"$x", "MeshVersionFormatted 2", "OFF", "ply"})
+    EXPECT_EQ(detect_format("x", "# vtk DataFile Version 3.0\n" + title + "\nASCII\n"), MeshFormat::vtk) << title;
+}
+
 TEST(MeshFormat, RefusesWhatItDoesNotKnow) {
   for (const auto* name : {"x.vtp", "x.meshb"}) EXPECT_THROW((void)detect_format(name, "1 2 3\n"), FileError) << name;
   EXPECT_THROW((void)detect_format("x", "hello\n"), FileError);

@@ -36,6 +36,26 @@ TEST(ReadMesh, ADeviceNeedNotEnd) {
   EXPECT_TRUE(read_mesh("/dev/null", MeshFormat::facets).simplices.empty());
 }
 
+TEST(ReadMesh, CarriageReturnsOnlyBeforeNewlines) {
+  const std::string obj = "# made by x\rv 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r";
+  expect_refused(obj, MeshFormat::obj, 1, "carriage return");
+  expect_refused("0 1 2\n1 2 3\r2 3 4\n", MeshFormat::facets, 2, "carriage return");
+  expect_refused("# c\r\r0 1 2\n", MeshFormat::facets, 1, "carriage return");
+  EXPECT_EQ(read_mesh_from_memory("0 1 2\r\n1 2 3\r\r\n\r\n2 3 4\r", MeshFormat::facets, "x").simplices.size(), 3);
+}
+
+TEST(ReadMesh, OnlyPlanarMeshesAreFlattened) {
+  MeshData flat;
+  flat.ambient_dimension = 3;
+  flat.vertex_count = 4;
+  flat.points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+  flat.simplices = SimplexList{{0, 1, 2, 3}};
+  EXPECT_FALSE(flatten_plane(flat));
+  flat.simplices = SimplexList{{0, 1, 2}, {1, 2, 3}};
+  EXPECT_TRUE(flatten_plane(flat));
+  EXPECT_EQ(flat.points, (std::vector<double>{0, 0, 1, 0, 0, 1, 1, 1}));
+}
+
 TEST(ReadMesh, ReadsAPipe) {
   const TemporaryDirectory directory;
   const auto path = directory / "pipe";

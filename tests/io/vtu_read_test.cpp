@@ -145,6 +145,22 @@ TEST(VtuRead, RefusesDamageInData) {
   refused(damaged, 0, "compressed bytes cannot become 1000000");
 }
 
+// A small file must not take much memory by naming the same bytes again and again.
+TEST(VtuRead, ArraysDoNotShareBytes) {
+  const TemporaryDirectory directory;
+  auto mesh = read(vtu_raw_sample);
+  mesh.fields = {{"p", MeshField::On::vertices, 1, {1, 2, 3, 4, 5}},
+                 {"q", MeshField::On::vertices, 1, {6, 7, 8, 9, 0}}};
+  write_mesh(directory / "a.vtu", mesh);
+  const auto bytes = read_bytes(directory / "a.vtu");
+  EXPECT_EQ(read(bytes).fields, mesh.fields);
+  const auto offset_of = [&](const std::string& name) {
+    const auto at = bytes.find("offset=", bytes.find("Name=\"" + name + "\""));
+    return bytes.substr(at, bytes.find('/', at) - at);
+  };
+  refused(replaced(bytes, offset_of("q"), offset_of("p")), 0, "'q' shares its bytes with another");
+}
+
 TEST(PvdFile, WritesTimesAndEscapedNames) {
   const TemporaryDirectory directory;
   PvdFile series;

@@ -118,16 +118,17 @@ MeshFormat detect_format(const std::string& path, std::string_view bytes) {
   Cursor cursor(bytes, path, '#');
   std::string_view first;
   if (cursor.next_line()) first = cursor.word("a token");
-  for (const auto& traits : table)
-    if (!traits.magic.empty() && is_read(traits) &&
-        (bytes.starts_with(traits.magic) || first.starts_with(traits.magic)))
-      return traits.format;
+  // As the file begins, then as it goes on after comments: a VTK file begins with one, and any title may follow.
+  for (const auto& beginning : {bytes, first})
+    for (const auto& traits : table)
+      if (!traits.magic.empty() && is_read(traits) && beginning.starts_with(traits.magic)) return traits.format;
   if (is_obj_keyword(first)) return MeshFormat::obj;
 
   const auto format = format_by_extension(path);
   if (format && is_read(format_traits(*format))) return *format;
   const auto extension = extension_of(path);
-  constexpr std::array unread{"vtp", "meshb", "poly", "smesh", "inp", "xdmf", "stp", "step", "iges", "bdf", "cgns"};
+  constexpr std::array unread{"vtp",   "meshb", "poly", "face", "edge", "neigh", "vol", "var",
+                              "smesh", "inp",   "xdmf", "stp",  "step", "iges",  "bdf", "cgns"};
   if (!format && std::ranges::find(unread, extension) == unread.end() && !first.empty() && first[0] >= '0' &&
       first[0] <= '9')
     return looks_like_tetgen(Cursor(bytes, path, '#')) ? MeshFormat::tetgen : MeshFormat::facets;

@@ -62,11 +62,13 @@ class Numbers {
     if (is_text_) file_.end_line();
   }
 
-  double real(Type type, const char* what) {
-    if (is_text_) return ply::is_real(type) ? file_.real(what) : static_cast<double>(integer(type, what));
+  // A position, which is finite, or a value of a field, which need not be.
+  double real(Type type, const char* what, bool is_finite) {
+    if (is_text_ && !ply::is_real(type)) return static_cast<double>(integer(type, what));
+    if (is_text_) return is_finite ? file_.real(what) : file_.real_or_nan(what);
     const char* const at = file_.bytes(ply::size_of(type), what).data();
     const double value = with_type(type, [&]<class T>(T) { return static_cast<double>(load_number<T>(at, swap_)); });
-    if (!std::isfinite(value)) {
+    if (is_finite && !std::isfinite(value)) {
       file_.rewind(file_.offset() - ply::size_of(type));
       file_.fail(text("found ", value, ", expected a finite number as ", what));
     }
@@ -183,6 +185,7 @@ class Numbers {
 struct Target {
   double* first = nullptr;
   std::int64_t stride = 1;
+  bool is_position = false;
 };
 
 void read_vertices(Numbers& numbers, const Element& element, MeshData& mesh) {
@@ -207,11 +210,11 @@ void read_vertices(Numbers& numbers, const Element& element, MeshData& mesh) {
     record_bytes += ply::size_of(property.type);
     const auto axis = property.name.size() == 1 ? property.name[0] - 'x' : -1;
     if (axis >= 0 && axis < mesh.ambient_dimension) {
-      targets[p] = {mesh.points.data() + axis, mesh.ambient_dimension};
+      targets[p] = {mesh.points.data() + axis, mesh.ambient_dimension, true};
     } else if (!property.is_list && ply::is_real(property.type)) {
       mesh.fields.push_back(
           {property.name, MeshField::On::vertices, 1, std::vector<double>(static_cast<std::size_t>(count))});
-      targets[p] = {mesh.fields.back().values.data(), 1};
+      targets[p] = {mesh.fields.back().values.data(), 1, false};
     }
   }
 
@@ -220,10 +223,10 @@ void read_vertices(Numbers& numbers, const Element& element, MeshData& mesh) {
     const char* const table = file.bytes(count * record_bytes, "the vertices").data();
     std::int64_t offset = 0;
     for (std::size_t p = 0; p < targets.size(); ++p) {
-      const auto& [first, stride] = targets[p];
+      const auto& [first, stride, is_position] = targets[p];
       const auto type = element.properties[p].type;
       if (first != nullptr) numbers.column(table + offset, count, record_bytes, type, first, stride);
-      for (std::int64_t i = 0; first != nullptr && i < count; ++i) {
+      for (std::int64_t i = 0; is_position && i < count; ++i) {
         if (std::isfinite(first[i * stride])) continue;
         file.rewind(start + i * record_bytes + offset);
         file.fail(text("found ", first[i * stride], ", expected a finite number as the property ",
@@ -237,7 +240,8 @@ void read_vertices(Numbers& numbers, const Element& element, MeshData& mesh) {
     numbers.begin_record(element, i);
     for (std::size_t p = 0; p < targets.size(); ++p)
       if (targets[p].first != nullptr)
-        targets[p].first[i * targets[p].stride] = numbers.real(element.properties[p].type, "a property of a vertex");
+        targets[p].first[i * targets[p].stride] =
+            numbers.real(element.properties[p].type, "a property of a vertex", targets[p].is_position);
       else
         numbers.skip(element.properties[p]);
     numbers.end_record();
@@ -312,7 +316,7 @@ FaceFields read_faces(Numbers& numbers, const Element& element, Index vertex_cou
         polygons.add(face, rows);
       } else if (field_of[p] >= 0) {
         result.fields[static_cast<std::size_t>(field_of[p])].values.push_back(
-            numbers.real(property.type, "a property of a face"));
+            numbers.real(property.type, "a property of a face", false));
       } else {
         numbers.skip(property);
       }

@@ -6,6 +6,7 @@
 #include "derham/io/file_bytes.hpp"
 #include "derham/io/formats.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -39,17 +40,34 @@ class OptionalFile {
   std::optional<Cursor> cursor_;
 };
 
+// The line ends of old Macs would join lines and lengthen comments: in a format of lines that loses simplices in silence.
+// `bytes` begins the file, so that the line is found.
+void refuse_lone_returns(std::string_view bytes, const std::string& name) {
+  for (auto at = bytes.find('\r'); at != std::string_view::npos; at = bytes.find('\r', at + 1)) {
+    const auto next = bytes.find_first_not_of('\r', at);
+    if (next == std::string_view::npos || bytes[next] == '\n') {
+      at = std::min(next, bytes.size()) - 1;
+      continue;
+    }
+    throw FileError(
+        FileError::Action::read, name,
+        1 + std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n'),
+        "found a carriage return within a line, expected lines that end with a newline: convert the file, for "
+        "example with tr '\\r' '\\n'");
+  }
+}
+
 // What the options ask of every format alike.
 MeshData finished(MeshData mesh, const ReadOptions& options) {
   if (options.planar && mesh.ambient_dimension == 3 && !flatten_plane(mesh))
-    mesh.notes.emplace_back("some third coordinate is not 0: read as a mesh in space, not in the plane");
+    mesh.notes.emplace_back("no mesh in a plane z = 0: read as one in space");
   return mesh;
 }
 
 }  // namespace
 
 bool flatten_plane(MeshData& mesh) {
-  if (mesh.ambient_dimension != 3) return false;
+  if (mesh.ambient_dimension != 3 || mesh.simplices.dimension() > 2) return false;
   const auto drop_third = [](std::vector<double>& positions) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < positions.size(); ++i)
@@ -71,6 +89,7 @@ MeshData read_mesh_from_memory(std::string_view bytes, MeshFormat format, const 
   if (bytes.empty() && format != MeshFormat::facets)  // no facets make the empty complex
     throw FileError(FileError::Action::read, name, 0, "the file is empty");
   const auto& traits = format_traits(format);
+  if (traits.comment != Cursor::no_comment) refuse_lone_returns(bytes, name);
   Cursor file(bytes, name, traits.comment);
   if (format == MeshFormat::tetgen) return finished(read_tetgen({file, file}), options);
   if (traits.read == nullptr)

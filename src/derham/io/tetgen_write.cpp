@@ -134,12 +134,10 @@ void write_tetgen_files(const TetgenPaths& paths, const MeshData& mesh) {
   simplices.writer.flush();
   if (faces) faces->writer.flush();
   if (edges) edges->writer.flush();
-  if (!faces) remove_stale(paths.face);
-  if (!edges) remove_stale(paths.edge);
   nodes.file.commit();
   simplices.file.commit();
-  if (faces) faces->file.commit();
-  if (edges) edges->file.commit();
+  faces ? faces->file.commit() : remove_stale(paths.face);
+  edges ? edges->file.commit() : remove_stale(paths.edge);
 }
 
 }  // namespace derham

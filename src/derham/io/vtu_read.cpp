@@ -12,7 +12,9 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -220,6 +222,7 @@ class VtuReader {
         fail_at(array, text("offset is ", at, ", but there are ", appended_.size(), " bytes of appended data"));
       ByteStream stream(appended_.substr(static_cast<std::size_t>(at)), appended_is_base64_);
       take(array, stream, count, components, *type, room, data);
+      demand_unshared(array, at, at + stream.offset());
       if (!appended_is_base64_ && !is_compressed_) offset = data.data() - whole_.data();
     } else {
       fail_at(array, text("format is ", quoted_token(format), ", expected ascii, binary or appended"));
@@ -227,6 +230,16 @@ class VtuReader {
     stand_at(array);
     NumberArray numbers(file_, data, *type, swap_, offset);
     use(numbers);
+  }
+
+  // Arrays that share bytes could take memory out of all proportion to the file.
+  void demand_unshared(const xml_node& array, std::int64_t begin, std::int64_t end) {
+    if (begin == end) return;
+    const auto next = taken_.lower_bound(begin);
+    if ((next != taken_.end() && next->first < end) || (next != taken_.begin() && std::prev(next)->second > begin))
+      fail_at(array, text("the array ", quoted_token(array.attribute("Name").value()),
+                          " shares its bytes with another; expected every array on its own"));
+    taken_.emplace(begin, end);
   }
 
   // The bytes of an array: a header that says how many there are, then the bytes, perhaps in compressed blocks.
@@ -354,6 +367,7 @@ class VtuReader {
   std::string_view whole_, appended_;
   std::string xml_;  // what the document points into
   pugi::xml_document document_;
+  std::map<std::int64_t, std::int64_t> taken_;  // begin and end of the appended arrays read so far
   bool swap_ = false, is_compressed_ = false, appended_is_base64_ = true;
   NumberType header_type_ = NumberType::uint32;
   MeshData mesh_;

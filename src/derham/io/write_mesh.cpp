@@ -71,6 +71,8 @@ void require_fit(const MeshData& mesh, const FormatTraits& format) {
   if (!mesh.simplices.is_uniform()) refuse("holds simplices of one dimension, this mesh has several");
   if (n > format.largest_dimension)
     refuse("holds simplices of dimension at most ", format.largest_dimension, ", this mesh has dimension ", n);
+  if (m > 0 && n > m && format.largest_ambient <= 3)
+    refuse("does not hold simplices of dimension ", n, " in a space of dimension ", m);
   if (m > format.largest_ambient)
     refuse("holds positions in at most ", format.largest_ambient, " dimensions, this mesh has ", m);
   if (!mesh.simplices.empty() && n < format.least_dimension)
