@@ -43,6 +43,7 @@ class NumberArray {
       if constexpr (std::is_integral_v<Number>)
         for (Offset i = 0; i < count; ++i) {
           // Beyond the range of 64 bits with sign it becomes negative, which nothing here may be.
+          // NOLINTNEXTLINE(bugprone-signed-char-misuse): 8-bit integers are numbers here
           const auto value = static_cast<std::int64_t>(numbers[static_cast<std::size_t>(i)]);
           if (!use(value)) fail(i, text(what, " is ", value, ", ", expected));
         }
