@@ -61,7 +61,7 @@ TYPED_TEST(Laplacian, SpectrumOfTheGridTorus) {
   for (Index v = 0; v < space.K.size(0); ++v) {
     double sum = 0;
     for (Index i = 0, rest = v; i < n; ++i, rest /= cells)
-      sum += 4.0 * cells * cells * std::pow(std::sin(std::numbers::pi * (rest % cells) / cells), 2);
+      sum += 4.0 * cells * cells * std::pow(std::sin(std::numbers::pi * static_cast<double>(rest % cells) / cells), 2);
     expected.push_back(sum);
   }
   std::sort(expected.begin(), expected.end());
