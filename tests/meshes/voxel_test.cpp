@@ -53,9 +53,7 @@ TEST(Voxels, RefuseAnythingElse) {
   EXPECT_THROW((void)meshes::voxels({.shape = {2, 2}, .filled = {1}}), InputError);
   EXPECT_THROW((void)meshes::voxels({.shape = {}, .filled = {}}), InputError);
   EXPECT_THROW((void)meshes::voxels({.shape = {-1}, .filled = {}}), InputError);
-#ifndef DERHAM_INDEX64
   EXPECT_THROW((void)meshes::voxels("100000x100000"), LimitError);
-#endif
   try {
     (void)meshes::parse_voxels("3x3-1,7");
     FAIL();

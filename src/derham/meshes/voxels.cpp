@@ -4,6 +4,8 @@
 #include "derham/meshes/kuhn.hpp"
 
 #include <charconv>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -20,6 +22,8 @@ Offset voxel_count(const std::vector<Index>& shape) {
   detail::checked_count("voxel corners", corners);
   Offset voxels = 1;
   for (const Index count : shape) voxels *= count;
+  constexpr Offset most = std::numeric_limits<std::int32_t>::max();  // of the bytes of the mask
+  if (voxels > most) throw LimitError(text("a set of ", voxels, " voxels; at most ", most, " are supported"));
   return voxels;
 }
 
@@ -38,7 +42,7 @@ class SpecReader {
   }
 
   Index number() {
-    Index value = 0;
+    std::int32_t value = 0;  // of any build: a mask of more is out of proportion to its text
     const auto [end, error] = std::from_chars(spec_.data() + place_, spec_.data() + spec_.size(), value);
     if (error != std::errc() || value < 0) fail("a number is expected");
     place_ = static_cast<std::size_t>(end - spec_.data());
