@@ -175,7 +175,7 @@ TEST(Npz, EveryArrayBeginsAtAMultipleOf64) {
 TEST(Npz, RefusesBadArchives) {
   const std::string sample(npz_stored_sample);
   const auto directory = sample.find("PK\x01\x02"), end = sample.find("PK\x05\x06");
-  const auto changed = [&](std::vector<std::pair<std::size_t, char>> changes) {
+  const auto changed = [&](const std::vector<std::pair<std::size_t, char>>& changes) {
     auto out = sample;
     for (const auto& [at, value] : changes) out[at] = value;
     return out;
@@ -277,8 +277,8 @@ TEST(Npz, RefusesArraysThatDoNotFitTheMesh) {
 }
 
 TEST(Npz, RefusesBadParts) {
-  const auto parts = [](std::vector<std::int64_t> degrees, std::vector<std::int64_t> offsets,
-                        std::vector<std::int64_t> members) {
+  const auto parts = [](const std::vector<std::int64_t>& degrees, const std::vector<std::int64_t>& offsets,
+                        const std::vector<std::int64_t>& members) {
     const auto list = [](const std::vector<std::int64_t>& numbers) {
       return npy<std::int64_t>({static_cast<std::int64_t>(numbers.size())}, numbers);
     };
