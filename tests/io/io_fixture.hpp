@@ -31,6 +31,17 @@ inline void expect_refused(std::string_view bytes, MeshFormat format, std::int64
   EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what() << "\nlacks: " << part;
 }
 
+/// `bytes` with the first `what`, which must be there, replaced.
+inline std::string replaced(std::string_view bytes, std::string_view what, std::string_view with) {
+  std::string out(bytes);
+  const auto at = out.find(what);
+  if (at == std::string::npos) {
+    ADD_FAILURE() << "there is no " << what;
+    return out;
+  }
+  return out.replace(at, what.size(), with);
+}
+
 /// A new directory that disappears with the object.
 class TemporaryDirectory {
  public:

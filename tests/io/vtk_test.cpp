@@ -2,9 +2,8 @@
 
 #include "io/io_fixture.hpp"
 #include "io/sample_files.hpp"
+#include "io/vtk_checks.hpp"
 
-#include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,40 +16,6 @@ MeshData read(std::string_view bytes, const ReadOptions& options = {}) {
 void refused(std::string_view bytes, std::int64_t line, const std::string& part) {
   expect_refused(bytes, MeshFormat::vtk, line, part);
 }
-std::string replaced(std::string_view bytes, std::string_view what, std::string_view with) {
-  std::string out(bytes);
-  const auto at = out.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return out.replace(at, what.size(), with);
-}
-
-void expect_two_tetrahedra(const MeshData& mesh) {
-  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2, 3}, {1, 2, 3, 4}}));
-  EXPECT_EQ(mesh.vertex_count, 5);
-  EXPECT_EQ(mesh.ambient_dimension, 3);
-  EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}));
-  ASSERT_EQ(mesh.lower.size(), 3u);
-  EXPECT_EQ(mesh.lower[2], (SimplexList{{0, 1, 2}}));
-  EXPECT_EQ(mesh.lower_count(), 1);
-  EXPECT_TRUE(mesh.parts.empty());
-}
-
-void expect_field(const MeshField& field, const std::string& name, MeshField::On on, int components,
-                  const std::vector<double>& values) {
-  EXPECT_EQ(field.name, name);
-  EXPECT_EQ(field.on, on);
-  EXPECT_EQ(field.components, components);
-  ASSERT_EQ(field.values.size(), values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (std::isnan(values[i])) {
-      EXPECT_TRUE(std::isnan(field.values[i])) << name << i;
-    } else {
-      EXPECT_EQ(field.values[i], values[i]) << name << i;
-    }
-}
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 TEST(Vtk, ReadsEveryLayout) {
   const auto text = read(vtk_ascii_51_sample);
   expect_two_tetrahedra(text);
@@ -97,7 +62,86 @@ TEST(Vtk, SplitsPolygonsAndCutsHigherOrderOnlyWhenAsked) {
   const auto quadratic = replaced(quad, "CELLS 1 5\n4 0 1 2 3", "CELLS 1 4\n3 0 1 2");
   refused(replaced(quadratic, "\n9", "\n21"), 9, "of first order; corner_nodes");
   options.corner_nodes = true;
-  EXPECT_EQ(read(replaced(quadratic, "\n9", "\n21"), options).simplices, (SimplexList{{0, 1}}));
+  const auto corners =
+      read(replaced(quadratic, "\n9", "\n21") + "POINT_DATA 5\nVECTORS v int\n1 2 3 4 5 6 7 8 9 10 11 12 13 14 15\n",
+           options);
+  EXPECT_EQ(corners.simplices, (SimplexList{{0, 1}}));
+  EXPECT_EQ(corners.points, (std::vector<double>{0, 0, 0, 1, 0, 0}));
+  ASSERT_EQ(corners.fields.size(), 1u);
+  expect_field(corners.fields[0], "v", MeshField::On::vertices, 3, {1, 2, 3, 4, 5, 6});
+  EXPECT_EQ(corners.notes,
+            (std::vector<std::string>{"kept the corner nodes of 1 cells of higher order; dropped 3 nodes "
+                                      "that no simplex uses"}));
+}
+
+// Nodes that were unused before any cell was cut stay, for `check` to find.
+TEST(Vtk, UnusedPointsStayWhereNothingIsCut) {
+  const auto bytes = replaced(replaced(vtk_ascii_30_sample, "CELLS 3 14\n4 0 1 2 3\n4 1 2 3 4\n", "CELLS 1 4\n"),
+                              "CELL_TYPES 3\n10 10 5", "CELL_TYPES 1\n5");
+  ReadOptions options;
+  options.corner_nodes = true;
+  EXPECT_EQ(read(bytes, options).vertex_count, 5);
+}
+
+// A sample with point data behind it.
+std::string with_point_data(const std::string& data) {
+  return std::string(vtk_ascii_30_sample) + "POINT_DATA 5\n" + data;
+}
+
+TEST(Vtk, IntegersOfTextAreIntegersOfTheirType) {
+  const auto one = [](const std::string& type, const std::string& value) {
+    return with_point_data("SCALARS a " + type + "\nLOOKUP_TABLE default\n0 1 2 3 " + value + "\n");
+  };
+  for (const auto* type : {"int", "long", "unsigned_long", "unsigned_char"}) {
+    refused(one(type, "0.5"), 16, "'0.5'");
+    refused(one(type, "1e3"), 16, "'1e3'");
+    refused(one(type, "nan"), 16, "'nan'");
+  }
+  refused(one("unsigned_char", "256"), 16, "a value is 256, expected 0 to 255");
+  refused(one("char", "-129"), 16, "a value is -129, expected -128 to 127");
+  refused(one("long", "9223372036854775808"), 16, "9223372036854775808");
+  refused(one("unsigned_long", "-1"), 16, "'-1', expected an integer from 0 to 18446744073709551615");
+  refused(one("unsigned_long", "18446744073709551616"), 16, "'18446744073709551616'");
+  const auto value_of = [&](const std::string& type, const std::string& value) {
+    return read(one(type, value)).fields.at(0).values.at(4);
+  };
+  EXPECT_EQ(value_of("long", "-9223372036854775808"), -0x1p63);
+  EXPECT_EQ(value_of("unsigned_long", "9223372036854775808"), 0x1p63);
+  EXPECT_EQ(value_of("short", "-32768"), -32768);
+}
+
+TEST(Vtk, RoundedIntegersAreCounted) {
+  const auto notes = [](const std::string& type, const std::string& values) {
+    return read(with_point_data("SCALARS a " + type + "\nLOOKUP_TABLE default\n" + values + "\n")).notes;
+  };
+  EXPECT_TRUE(notes("long", "9007199254740992 -9007199254740992 9007199254740994 -9223372036854775808 0").empty());
+  EXPECT_EQ(notes("long", "9007199254740993 -9007199254740993 3 4 5"),
+            std::vector<std::string>{"array 'a': rounded 2 integers that no double holds"});
+  EXPECT_EQ(notes("unsigned_long", "18446744073709551615 1 2 3 4"),
+            std::vector<std::string>{"array 'a': rounded 1 integer that no double holds"});
+}
+
+// Written by VTK 9.7.
+TEST(Vtk, ArraysOfBitsAndStringsAreSkipped) {
+  const std::vector<std::string> notes{"array 'b' of bits is not kept", "array 's' of strings is not kept"};
+  const std::string data =
+      "FIELD F 3\nb 2 5 bit\n0 1 0 1 0 1 0 1 1\n1\ns 1 5 string\none%20two\n\nthree\n4\n\n\nu 1 5 int\n1 2 3 4 5\n";
+  const auto text = read(with_point_data(data));
+  EXPECT_EQ(text.notes, notes);
+  ASSERT_EQ(text.fields.size(), 1u);
+  expect_field(text.fields[0], "u", MeshField::On::vertices, 1, {1, 2, 3, 4, 5});
+  refused(with_point_data(replaced(data, "0 1 0 1 0 1 0 1 1", "0 1 0 1 0 1 0 1 2")), 16, "a bit is 2, expected 0 to 1");
+  refused(with_point_data("FIELD F 1\ns 1 5 string\na\nb\nc\nd"), 19, "the end of the line takes 1 bytes");
+
+  const auto head = std::string(vtk_binary_30_sample.substr(0, vtk_binary_30_sample.find("POINT_DATA")));
+  const auto strings = "\xc7one two" + std::string("\xc0\x80\x46", 3) + std::string(70, 'x') +
+                       std::string("\x40\0\0\x01y", 5) + std::string("\0\0\0\0\0\0\0\x02zz", 10);
+  const auto bytes = read(head + "POINT_DATA 5\nFIELD F 2\nb 2 5 bit\n\x55\xc0\ns 1 5 string\n" + strings +
+                          "\nSCALARS u char\nLOOKUP_TABLE default\n\x01\x02\x03\x04\x05\n");
+  EXPECT_EQ(bytes.notes, notes);
+  ASSERT_EQ(bytes.fields.size(), 1u);
+  expect_field(bytes.fields[0], "u", MeshField::On::vertices, 1, {1, 2, 3, 4, 5});
+  refused(head + "POINT_DATA 5\nFIELD F 1\ns 1 5 string\n\xff", 0, "a text takes 63 bytes, but the file ends");
 }
 
 TEST(Vtk, WritesWhatItReads) {
@@ -127,12 +171,12 @@ TEST(Vtk, WritesWhatItReads) {
   EXPECT_THROW(write_mesh(directory / "b.vtk", named, MeshFormat::vtk), InputError);
 }
 
-TEST(Vtk, LargeIntegersAreRoundedAndNoted) {
+TEST(Vtk, RoundedIntegersOfBytesAreCounted) {
   auto bytes = std::string(vtk_binary_30_sample);
   bytes[bytes.size() - 49] = '\x7f';
   const auto notes = read(bytes).notes;
   ASSERT_EQ(notes.size(), 2u);
-  EXPECT_EQ(notes[0], "field 'r': integers beyond 2^53 are rounded");
+  EXPECT_EQ(notes[0], "array 'r': rounded 1 integer that no double holds");
 }
 
 TEST(Vtk, RefusesDamageInText) {
@@ -167,11 +211,12 @@ TEST(Vtk, RefusesDamageInText) {
   const std::string whole(sample);
   refused(whole + "POINT_DATA 4\n", 13, "data for 4 points; the mesh has 5");
   refused(whole + "CELL_DATA 2\n", 13, "data for 2 cells; the mesh has 3");
-  refused(whole + "CELL_DATA 3\nSCALARS a bit\nLOOKUP_TABLE default\n0 1 1\n", 14,
-          "found 'bit' as the type of the array");
+  refused(whole + "CELL_DATA 3\nSCALARS a bite\nLOOKUP_TABLE default\n0 1 1\n", 14,
+          "found 'bite' as the type of the array");
   refused(whole + "CELL_DATA 3\nSCALARS a int\nLOOKUP_TABLE default\n0 1\n", 16,
-          "found the end of the file, expected a number as a value");
-  refused(whole + "CELL_DATA 3\nSCALARS a int\nLOOKUP_TABLE default\n0 1 x\n", 16, "'x', expected a number as a value");
+          "found the end of the file, expected an integer as a value");
+  refused(whole + "CELL_DATA 3\nSCALARS a int\nLOOKUP_TABLE default\n0 1 x\n", 16,
+          "'x', expected an integer as a value");
   refused(whole + "CELL_DATA 3\nFIELD F 1\na 1 2 int\n0 1\n", 15, "array 'a' has 2 tuples, expected 3");
   refused(whole + "CELL_DATA 3\nFIELD F 2\na 1 3 int\n0 1 2\n", 16, "the file ends after 1 of 2 arrays");
   refused(whole + "CELL_DATA 3\nPOTATOES a int\n", 14, "'POTATOES', expected a section");

@@ -3,6 +3,7 @@
 
 #include "io/io_fixture.hpp"
 #include "io/sample_files.hpp"
+#include "io/vtk_checks.hpp"
 
 #include <cmath>
 #include <string>
@@ -11,31 +12,18 @@
 namespace derham::io_test {
 namespace {
 
-MeshData read(std::string_view bytes) { return read_mesh_from_memory(bytes, MeshFormat::vtu, "mesh"); }
+MeshData read(std::string_view bytes, const ReadOptions& options = {}) {
+  return read_mesh_from_memory(bytes, MeshFormat::vtu, "mesh", options);
+}
 void refused(std::string_view bytes, std::int64_t line, const std::string& part) {
   expect_refused(bytes, MeshFormat::vtu, line, part);
 }
-std::string replaced(std::string_view bytes, std::string_view what, std::string_view with) {
-  std::string out(bytes);
-  const auto at = out.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return out.replace(at, what.size(), with);
-}
 
 void expect_sample(const MeshData& mesh) {
-  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2, 3}, {1, 2, 3, 4}}));
-  EXPECT_EQ(mesh.vertex_count, 5);
-  EXPECT_EQ(mesh.ambient_dimension, 3);
-  EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}));
-  ASSERT_EQ(mesh.lower.size(), 3u);
-  EXPECT_EQ(mesh.lower[2], (SimplexList{{0, 1, 2}}));
+  expect_two_tetrahedra(mesh);
   ASSERT_EQ(mesh.fields.size(), 2u);
-  EXPECT_EQ(mesh.fields[0].name, "u");
-  EXPECT_EQ(mesh.fields[0].on, MeshField::On::vertices);
-  ASSERT_EQ(mesh.fields[0].values.size(), 5u);
-  EXPECT_EQ(mesh.fields[0].values[4], 4);
-  EXPECT_TRUE(std::isnan(mesh.fields[0].values[3]));
-  EXPECT_EQ(mesh.fields[1], (MeshField{"r", MeshField::On::rows, 2, {1, 2, 3, 4}}));
+  expect_field(mesh.fields[0], "u", MeshField::On::vertices, 1, {0, 1, 2, nan, 4});
+  expect_field(mesh.fields[1], "r", MeshField::On::rows, 2, {1, 2, 3, 4});
 }
 
 TEST(VtuRead, ReadsEveryEncoding) {
@@ -52,6 +40,32 @@ TEST(VtuRead, ElementsInsideArraysAndStringsAreNoNumbers) {
                                   "<Array type=\"String\" Name=\"s\">1 2</Array>"));
   expect_sample(mesh);
   EXPECT_EQ(mesh.notes[0], "'Array' 's' is not kept");
+}
+
+TEST(VtuRead, IntegersOfTextAreIntegersOfTheirType) {
+  const auto with = [](const char* numbers) { return replaced(vtu_ascii_sample, "1 2 3 4 5 6", numbers); };
+  refused(with("1 2 0.5 4 5 6"), 9, "'0.5'");
+  refused(with("1 2 nan 4 5 6"), 9, "'nan'");
+  refused(replaced(with("1 2 -129 4 5 6"), "Int64", "Int8"), 9, "a value is -129, expected -128 to 127");
+  const auto notes = read(with("9007199254740993 2 3 -9007199254740993 5 6")).notes;
+  ASSERT_FALSE(notes.empty());
+  EXPECT_EQ(notes[0], "array 'r': rounded 2 integers that no double holds");
+  refused(replaced(vtu_ascii_sample, "10 10 5", "10 10.0 5"), 17, "'10.0'");
+}
+
+TEST(VtuRead, OfHigherOrderTheCornersAreKept) {
+  auto bytes = replaced(vtu_ascii_sample, "NumberOfCells=\"3\"", "NumberOfCells=\"1\"");
+  bytes = replaced(replaced(bytes, "0 1 2 3 1 2 3 4 0 1 2<", "0 1 3<"), ">4 8 11<", ">3<");
+  bytes = replaced(replaced(bytes, ">10 10 5<", ">21<"), ">1 2 3 4 5 6<", ">1 2<");
+  refused(bytes, 14, "of first order; corner_nodes");
+  ReadOptions options;
+  options.corner_nodes = true;
+  const auto mesh = read(bytes, options);
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1}}));
+  EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0}));
+  ASSERT_EQ(mesh.fields.size(), 2u);
+  expect_field(mesh.fields[0], "u", MeshField::On::vertices, 1, {0, 1});
+  expect_field(mesh.fields[1], "r", MeshField::On::rows, 2, {1, 2});
 }
 
 TEST(VtuRead, WritesWhatItReads) {

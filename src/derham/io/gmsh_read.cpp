@@ -37,19 +37,6 @@ bool skip_section(GmshInput& input, const std::string& end) {
   return false;
 }
 
-// Of elements of higher order only the corners are kept: then the other nodes are nothing any more.
-void drop_mid_nodes(GmshReading& reading) {
-  auto& mesh = reading.mesh;
-  const Offset count = reading.elements.higher_order();
-  if (count == 0) return;
-  const Offset lower = mesh.lower_count();
-  const Index dropped = drop_unused_vertices(mesh);
-  mesh.notes.push_back(text("kept the corner nodes of ", count, " elements of higher order; dropped ", dropped,
-                            " nodes that no simplex uses"));
-  if (lower > mesh.lower_count())
-    mesh.notes.push_back(text("dropped ", lower - mesh.lower_count(), " simplices of lower dimension on such nodes"));
-}
-
 MeshData finished(GmshReading reading) {
   auto& mesh = reading.mesh;
   for (const auto& [key, field] : reading.fields)
@@ -66,7 +53,7 @@ MeshData finished(GmshReading reading) {
       mesh.notes.push_back(text("dropped physical group ", part.number, " of dimension ", part.degree, " (",
                                 quoted_token(part.name), "): it has no elements"));
   std::erase_if(mesh.parts, [&](const MeshPart& part) { return part.degree > mesh.simplices.dimension(); });
-  drop_mid_nodes(reading);
+  drop_mid_nodes(mesh, reading.elements.higher_order(), "elements");
   return std::move(mesh);
 }
 

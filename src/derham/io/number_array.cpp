@@ -1,7 +1,10 @@
 #include "derham/io/number_array.hpp"
 
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <system_error>
 
 namespace derham {
 
@@ -25,49 +28,68 @@ void NumberArray::ids(Offset count, Index vertices, std::vector<Index>& out) {
   });
 }
 
-void NumberArray::coordinates(Offset count, std::vector<double>& out) {
-  const auto begin = out.size();
-  out.resize(begin + static_cast<std::size_t>(count));
-  double* const to = out.data() + begin;
-  if (is_text_) {
-    for (Offset i = 0; i < count; ++i) {
-      (void)file_.next_line();
-      to[i] = file_.real("a coordinate");
-    }
-    return;
-  }
-  with_numbers(bytes_, type_, swap_, [&](auto numbers) {
-    for (Offset i = 0; i < count; ++i) to[i] = static_cast<double>(numbers[static_cast<std::size_t>(i)]);
+std::int64_t NumberArray::next_integer(const char* what) {
+  if (byte_width(type_) == 8) return file_.integer(what);
+  return with_number_type(type_, [&]<class Number>(Number) -> std::int64_t {
+    using Limits = std::numeric_limits<Number>;
+    if constexpr (Limits::is_integer && sizeof(Number) < 8) return file_.integer(what, Limits::min(), Limits::max());
+    return 0;
   });
-  for (Offset i = 0; i < count; ++i)
-    if (!std::isfinite(to[i])) fail(i, text("a coordinate is ", to[i], ", expected a finite number"));
 }
 
-bool NumberArray::values(Offset count, std::vector<double>& out) {
+std::uint64_t NumberArray::next_unsigned(const char* what) {
+  (void)file_.at_line_end();
+  const auto start = file_.offset();
+  const auto digits = file_.word(what);
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size()) {
+    file_.rewind(start);
+    file_.fail_token("an integer from 0 to 18446744073709551615", what);
+  }
+  return value;
+}
+
+Offset NumberArray::reals(Offset count, const char* what, bool is_finite, std::vector<double>& out) {
   const auto begin = out.size();
   out.resize(begin + static_cast<std::size_t>(count));
   double* const to = out.data() + begin;
+  Offset rounded = 0;
+  const auto put_integer = [&](Offset i, auto integer) {
+    to[i] = static_cast<double>(integer);
+    rounded += !is_exact_double(integer);
+  };
   if (is_text_) {
     for (Offset i = 0; i < count; ++i) {
       (void)file_.next_line();
-      to[i] = file_.real_or_nan("a value");
+      if (is_real(type_))
+        to[i] = is_finite ? file_.real(what) : file_.real_or_nan(what);
+      else if (type_ == NumberType::uint64)
+        put_integer(i, next_unsigned(what));
+      else
+        put_integer(i, next_integer(what));
     }
-    return false;
+    return rounded;
   }
-  bool is_rounded = false;
   with_numbers(bytes_, type_, swap_, [&](auto numbers) {
     using Number = decltype(numbers[0]);
     for (Offset i = 0; i < count; ++i) {
-      const auto number = numbers[static_cast<std::size_t>(i)];
-      to[i] = static_cast<double>(number);
-      if constexpr (std::is_integral_v<Number> && sizeof(Number) == 8) {
-        constexpr auto largest = Number{1} << 53;
-        is_rounded |= number > largest;
-        if constexpr (std::is_signed_v<Number>) is_rounded |= number < -largest;
-      }
+      const Number number = numbers[static_cast<std::size_t>(i)];
+      if constexpr (std::is_integral_v<Number> && sizeof(Number) == 8)
+        put_integer(i, number);
+      else
+        to[i] = static_cast<double>(number);
     }
   });
-  return is_rounded;
+  for (Offset i = 0; is_finite && i < count; ++i)
+    if (!std::isfinite(to[i])) fail(i, text(what, " is ", to[i], ", expected a finite number"));
+  return rounded;
+}
+
+void note_rounded(MeshData& mesh, std::string_view array, Offset count) {
+  if (count > 0)
+    mesh.notes.push_back(text("array ", quoted_token(array), ": rounded ", count,
+                              count == 1 ? " integer that no double holds" : " integers that no double holds"));
 }
 
 }  // namespace derham

@@ -2,6 +2,7 @@
 
 #include "derham/core/text.hpp"
 #include "derham/core/types.hpp"
+#include "derham/geometry/mesh_data.hpp"
 #include "derham/io/cursor.hpp"
 #include "derham/io/number_block.hpp"
 
@@ -31,7 +32,7 @@ class NumberArray {
       for (Offset i = 0; i < count; ++i) {
         (void)file_.next_line();
         const auto start = file_.offset();
-        const auto value = file_.integer(what);
+        const auto value = next_integer(what);
         if (use(value)) continue;
         file_.rewind(start);
         file_.fail(text(what, " is ", value, ", ", expected));
@@ -53,16 +54,24 @@ class NumberArray {
   /// Appends `count` vertex ids, each in [0, vertices).
   void ids(Offset count, Index vertices, std::vector<Index>& out);
 
-  /// Appends `count` coordinates, all finite.
-  void coordinates(Offset count, std::vector<double>& out);
+  /// Appends `count` coordinates, all finite. Returns how many integers were rounded, because no double holds them.
+  [[nodiscard]] Offset coordinates(Offset count, std::vector<double>& out) {
+    return reals(count, "a coordinate", true, out);
+  }
 
-  /// Appends `count` values of a field. True if an integer was rounded, being beyond 2^53.
-  [[nodiscard]] bool values(Offset count, std::vector<double>& out);
+  /// As `coordinates`, but of a field, whose values may be infinite or NaN.
+  [[nodiscard]] Offset values(Offset count, std::vector<double>& out) { return reals(count, "a value", false, out); }
 
   /// FileError at number i.
   [[noreturn]] void fail(Offset i, const std::string& message);
 
  private:
+  [[nodiscard]] Offset reals(Offset count, const char* what, bool is_finite, std::vector<double>& out);
+
+  // The next integer of a text, within the range of its type.
+  [[nodiscard]] std::int64_t next_integer(const char* what);
+  [[nodiscard]] std::uint64_t next_unsigned(const char* what);
+
   Cursor& file_;
   bool is_text_ = true;
   std::string_view bytes_;
@@ -70,5 +79,8 @@ class NumberArray {
   bool swap_ = false;
   std::int64_t offset_ = -1;
 };
+
+/// Says in the notes how many integers of an array were rounded, if any.
+void note_rounded(MeshData& mesh, std::string_view array, Offset count);
 
 }  // namespace derham

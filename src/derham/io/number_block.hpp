@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -42,37 +43,50 @@ class NumberBlock {
   const char* bytes_;
 };
 
-/// Calls `use` with the block of numbers that `bytes` are; what it does in a loop is then compiled for every type.
+/// Whether a double holds this integer: 53 bits suffice from its highest to its lowest one.
+template <std::integral Integer>
+constexpr bool is_exact_double(Integer integer) noexcept {
+  auto magnitude = static_cast<std::uint64_t>(integer);
+  if (integer < 0) magnitude = 0 - magnitude;
+  return magnitude == 0 || std::bit_width(magnitude) - std::countr_zero(magnitude) <= 53;
+}
+
+/// Calls `use` with a number of that type; what it does in a loop is then compiled for every type.
+template <class Use>
+auto with_number_type(NumberType type, Use&& use) {
+  switch (type) {
+    case NumberType::int8:
+      return use(std::int8_t{});
+    case NumberType::uint8:
+      return use(std::uint8_t{});
+    case NumberType::int16:
+      return use(std::int16_t{});
+    case NumberType::uint16:
+      return use(std::uint16_t{});
+    case NumberType::int32:
+      return use(std::int32_t{});
+    case NumberType::uint32:
+      return use(std::uint32_t{});
+    case NumberType::int64:
+      return use(std::int64_t{});
+    case NumberType::uint64:
+      return use(std::uint64_t{});
+    case NumberType::float32:
+      return use(float{});
+    default:
+      return use(double{});
+  }
+}
+
+/// Calls `use` with the block of numbers that `bytes` are.
 template <class Use>
 void with_numbers(std::string_view bytes, NumberType type, bool swap, Use&& use) {
-  const auto go = [&]<class Number>(Number) {
+  with_number_type(type, [&]<class Number>(Number) {
     if (swap && sizeof(Number) > 1)
       use(NumberBlock<Number, true>(bytes.data()));
     else
       use(NumberBlock<Number, false>(bytes.data()));
-  };
-  switch (type) {
-    case NumberType::int8:
-      return go(std::int8_t{});
-    case NumberType::uint8:
-      return go(std::uint8_t{});
-    case NumberType::int16:
-      return go(std::int16_t{});
-    case NumberType::uint16:
-      return go(std::uint16_t{});
-    case NumberType::int32:
-      return go(std::int32_t{});
-    case NumberType::uint32:
-      return go(std::uint32_t{});
-    case NumberType::int64:
-      return go(std::int64_t{});
-    case NumberType::uint64:
-      return go(std::uint64_t{});
-    case NumberType::float32:
-      return go(float{});
-    case NumberType::float64:
-      return go(double{});
-  }
+  });
 }
 
 }  // namespace derham

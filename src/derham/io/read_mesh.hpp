@@ -27,9 +27,10 @@ namespace derham {
 ///          the vertices. Corners, ridges, normals and the like are skipped and noted; quadrilaterals are split if
 ///          `triangulate` is set.
 /// vtk      legacy, ASCII and binary, versions 1.0 to 5.1; UNSTRUCTURED_GRID and POLYDATA, m = 3. Vertices, lines,
-///          triangles, tetrahedra; polygons and quadrilaterals see `triangulate`, cells of higher order `corner_nodes`.
-///          Arrays of numbers on points and cells become fields; where cells of several dimensions are mixed, those of
-///          the rows alone keep theirs. Arrays of the whole data set are dropped and noted.
+///          triangles, tetrahedra; polygons and quadrilaterals see `triangulate`, cells of higher order `corner_nodes` (as
+///          for gmsh). Arrays of numbers on points and cells become fields, integers that no double holds being rounded
+///          and noted; where cells of several dimensions are mixed, those of the rows alone keep theirs. Arrays of bits
+///          or strings and those of the whole data set are dropped and noted.
 /// vtu      as vtk, one piece: numbers as text, base64 or appended (raw, base64), plain or compressed by zlib, either
 ///          byte order.
 /// off      m = 3; faces of 1 to 3 vertices, with or without colours; larger ones see ReadOptions::triangulate, as in all

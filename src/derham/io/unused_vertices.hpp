@@ -14,4 +14,8 @@ namespace derham {
 /// Throws   InputError as above
 Index drop_unused_vertices(MeshData& mesh);
 
+/// Of `count` cells of higher order (`cells` is what the format calls them) only the corners were kept: removes the
+/// vertices that no row uses any more, if there are such cells, and says so in the notes.
+void drop_mid_nodes(MeshData& mesh, Offset count, const char* cells);
+
 }  // namespace derham

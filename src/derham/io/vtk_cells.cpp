@@ -2,6 +2,7 @@
 
 #include "derham/core/text.hpp"
 #include "derham/io/listed_simplices.hpp"
+#include "derham/io/unused_vertices.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -139,13 +140,13 @@ void VtkCells::move_to(MeshData& mesh, const ReadOptions& options, Cursor& file)
     add(points);
   }
   if (split > 0) mesh.notes.push_back(text("split ", split, " polygons into ", triangles, " triangles"));
-  if (cut > 0) mesh.notes.push_back(text("kept only the corners of ", cut, " cells of higher order"));
 
   std::move(list).move_to(mesh);
   const int top = mesh.simplices.dimension();
   const std::vector<Index> none;
   const auto& cell_of_row = top < 0 ? none : cell_of[static_cast<std::size_t>(top)];
   if (static_cast<Offset>(cell_of_row.size()) != count_ || split > 0) keep_rows(mesh, cell_of_row, count_);
+  drop_mid_nodes(mesh, cut, "cells");
 }
 
 }  // namespace derham

@@ -306,8 +306,9 @@ class VtuReader {
     const auto array = only_child(points, "DataArray");
     if (const auto components = number(array, "NumberOfComponents", 1); components != 3)
       fail_at(array, text("the points have ", components, " components, expected 3"));
-    with_array(array, mesh_.vertex_count, 3,
-               [&](NumberArray& numbers) { numbers.coordinates(Offset{mesh_.vertex_count} * 3, mesh_.points); });
+    with_array(array, mesh_.vertex_count, 3, [&](NumberArray& numbers) {
+      note_rounded(mesh_, "Points", numbers.coordinates(Offset{mesh_.vertex_count} * 3, mesh_.points));
+    });
   }
 
   xml_node array_named(const xml_node& parent, std::string_view name) {
@@ -355,8 +356,7 @@ class VtuReader {
         fail_at(array, text("NumberOfComponents is ", components, ", expected 1 to ", most_components));
       MeshField field{std::string(name), on, static_cast<int>(components), {}};
       with_array(array, items, components, [&](NumberArray& numbers) {
-        if (numbers.values(items * components, field.values))
-          mesh_.notes.push_back(text("field ", quoted_token(name), ": integers beyond 2^53 are rounded"));
+        note_rounded(mesh_, name, numbers.values(items * components, field.values));
       });
       mesh_.fields.push_back(std::move(field));
     }
