@@ -49,8 +49,10 @@ Exit convert(const Conversion& c, const Common& common) {
   const MeshFormat format = output_format(c);
   const WriteOptions options = write_options(c, format);
   MeshData mesh = read_input(c.from, console);
+  const std::size_t notes = mesh.notes.size();
   const Index dropped = c.from.drop_unused ? drop_unused_vertices(mesh) : 0;
   if (dropped > 0) console.message(text(c.from.path, ": dropped ", dropped, " unused vertices"));
+  for (std::size_t i = notes; i < mesh.notes.size(); ++i) console.message(c.from.path + ": " + mesh.notes[i]);
 
   const auto lost = not_carried(mesh, format, options);
   console.stage("writing " + c.path);

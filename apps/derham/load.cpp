@@ -114,7 +114,10 @@ void settle_unused(LoadedMesh& loaded, bool drop, Console& console) {
                        " is in no simplex; every vertex must be used. Give --drop-unused to leave such vertices out"),
                   loaded.path);
   }
+  const std::size_t notes = loaded.mesh.notes.size();
   console.message(text(loaded.path, ": dropped ", compact(loaded), " unused vertices"));
+  for (std::size_t i = notes; i < loaded.mesh.notes.size(); ++i)
+    console.message(loaded.path + ": " + loaded.mesh.notes[i]);
 }
 
 LoadedMesh load_mesh(const Input& input, Console& console) {

@@ -2,6 +2,7 @@
 
 #include "io/io_fixture.hpp"
 
+#include <string>
 #include <vector>
 
 namespace derham::io_test {
@@ -35,6 +36,21 @@ TEST(UnusedVertices, DropsThemAndKeepsTheirNames) {
   EXPECT_EQ(drop_unused_vertices(mesh), 0);
   EXPECT_EQ(drop_unused_vertices(tagged), 2);
   EXPECT_EQ(tagged.vertex_tags, (std::vector<std::int64_t>{8, 10, 11}));
+}
+
+TEST(UnusedVertices, SaysWhatGoesWithThem) {
+  MeshData mesh;
+  mesh.vertex_count = 4;
+  mesh.simplices = SimplexList{{0, 1, 3}};
+  mesh.lower = {SimplexList{{2}, {3}}, SimplexList{{0, 1}, {1, 2}}};
+  mesh.parts = {{"ends", 1, 0, {0, 2}}, {"sides", 1, 1, {0, 1}}};
+  EXPECT_EQ(drop_unused_vertices(mesh), 1);
+  EXPECT_EQ(mesh.lower, (std::vector<SimplexList>{SimplexList{{2}}, SimplexList{{0, 1}}}));
+  EXPECT_EQ(mesh.parts, (std::vector<MeshPart>{{"ends", 1, 0, {0}}, {"sides", 1, 1, {0}}}));
+  EXPECT_EQ(mesh.notes, (std::vector<std::string>{
+                            "with the unused vertices went 2 simplices of lower dimension and 2 members of parts"}));
+  EXPECT_EQ(drop_unused_vertices(mesh), 0);
+  EXPECT_EQ(mesh.notes.size(), 1u);
 }
 
 TEST(UnusedVertices, HugeIdsCostNothing) {

@@ -38,6 +38,12 @@ std::vector<Index> used_vertices(const MeshData& mesh) {
   return used;
 }
 
+std::size_t member_count(const MeshData& mesh) {
+  std::size_t count = 0;
+  for (const auto& part : mesh.parts) count += part.members.size();
+  return count;
+}
+
 // Keeps the simplices of lower dimension that `keep` accepts, and renumbers the members of parts.
 template <class Keep>
 void keep_lower(MeshData& mesh, Keep keep) {
@@ -82,6 +88,8 @@ Index drop_unused_vertices(MeshData& mesh) {
   const Index dropped = mesh.vertex_count - count;
   if (dropped == 0) return 0;
 
+  const Offset lower = mesh.lower_count();
+  const std::size_t members = member_count(mesh);
   const auto position = [&](Index v) { return static_cast<Index>(std::ranges::lower_bound(used, v) - used.begin()); };
   const auto is_used = [&](Index v) { return std::ranges::binary_search(used, v); };
   keep_lower(mesh, [&](std::span<const Index> simplex) { return std::ranges::all_of(simplex, is_used); });
@@ -90,6 +98,9 @@ Index drop_unused_vertices(MeshData& mesh) {
     std::erase_if(part.members, [&](Index v) { return !is_used(v); });
     for (Index& v : part.members) v = position(v);
   }
+  if (mesh.lower_count() < lower || member_count(mesh) < members)
+    mesh.notes.push_back(text("with the unused vertices went ", lower - mesh.lower_count(),
+                              " simplices of lower dimension and ", members - member_count(mesh), " members of parts"));
   for (Index& v : mesh.simplices.vertices()) v = position(v);
   for (auto& list : mesh.lower)
     for (Index& v : list.vertices()) v = position(v);

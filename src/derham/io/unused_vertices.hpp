@@ -11,6 +11,8 @@ namespace derham {
 
 /// Removes all vertices that are in no row, keeping the order of the others, and returns how many they were. If there
 /// were any, `vertex_tags` then holds what the remaining ones were called before (their tag, else their position).
+/// Simplices of lower dimension that have such a vertex go, too, and so do they and the vertices as members of parts: how
+/// many is a note.
 /// Throws   InputError as above
 Index drop_unused_vertices(MeshData& mesh);
 
