@@ -5,13 +5,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace derham::io_test {
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The error that reading `bytes` raises; its line 0 with an empty path when it raises none.
 inline FileError read_error(std::string_view bytes, MeshFormat format) {
@@ -40,6 +45,21 @@ inline std::string replaced(std::string_view bytes, std::string_view what, std::
     return out;
   }
   return out.replace(at, what.size(), with);
+}
+
+/// Expects a field; NaN is expected where `values` has it.
+inline void expect_field(const MeshField& field, const std::string& name, MeshField::On on, int components,
+                         const std::vector<double>& values) {
+  EXPECT_EQ(field.name, name);
+  EXPECT_EQ(field.on, on);
+  EXPECT_EQ(field.components, components);
+  ASSERT_EQ(field.values.size(), values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::isnan(values[i])) {
+      EXPECT_TRUE(std::isnan(field.values[i])) << name << i;
+    } else {
+      EXPECT_EQ(field.values[i], values[i]) << name << i;
+    }
 }
 
 /// A new directory that disappears with the object.

@@ -22,6 +22,8 @@ TEST(Obj, ReadsAllFormsOfCorners) {
   EXPECT_EQ(mesh.vertex_tags, (std::vector<std::int64_t>{1, 2, 3, 4}));
   EXPECT_EQ(mesh.ambient_dimension, 3);
   EXPECT_EQ(mesh.lower_count(), 2);
+  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"skipped lines: 1 g, 1 mtllib, 1 o, 1 s, 1 usemtl, 1 vn, 1 vt",
+                                                  "skipped the colours of 1 vertices"}));
 }
 
 TEST(Obj, FacesMayNameLaterVertices) {
@@ -58,7 +60,10 @@ TEST(Obj, RefusesDamage) {
 }
 
 TEST(Obj, AcceptsWeightOneColoursAndEmptyParts) {
-  EXPECT_EQ(read("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0 1 1 1 1\nf 1/ 2// 3//\n").simplices.size(), 1);
+  const auto mesh = read("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0 1 1 1 1\nf 1/ 2// 3//\n");
+  EXPECT_EQ(mesh.simplices.size(), 1);
+  EXPECT_EQ(mesh.notes, std::vector<std::string>{"skipped the colours of 2 vertices"});
+  EXPECT_TRUE(read("v 0 0 0 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").notes.empty());
 }
 
 TEST(Obj, PolygonsAreSplitOnRequest) {

@@ -21,6 +21,8 @@ TEST(Off, ReadsTrianglesWithAndWithoutColours) {
   EXPECT_EQ(mesh.ambient_dimension, 3);
   EXPECT_EQ(mesh.vertex_count, 4);
   EXPECT_EQ(mesh.lower_count(), 0);
+  EXPECT_EQ(mesh.notes, std::vector<std::string>{"skipped the colours of 2 faces"});
+  EXPECT_TRUE(read(three + "3 0 1 2\n").notes.empty());
 }
 
 TEST(Off, CountsMayStandBesideTheHeaderAndWithoutEdges) {
@@ -67,7 +69,8 @@ TEST(Off, PolygonsAreSplitOnRequest) {
       read_mesh_from_memory("OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 0\n4 0 1 2 3 255 0 0\n3 0 1 2\n5 4 3 2 1 0\n",
                             MeshFormat::off, "mesh", {.triangulate = true});
   EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {4, 3, 2}, {4, 2, 1}, {4, 1, 0}}));
-  EXPECT_EQ(mesh.notes, std::vector<std::string>{"split 2 polygons into 5 triangles, fans about first vertices"});
+  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"split 2 polygons into 5 triangles, fans about first vertices",
+                                                  "skipped the colours of 1 faces"}));
 }
 
 }  // namespace

@@ -34,10 +34,13 @@ TEST(Ply, ReadsTextAndBothOrdersOfBytesAlike) {
     EXPECT_EQ(mesh.vertex_count, 4);
     ASSERT_EQ(mesh.lower.size(), 2U);
     EXPECT_EQ(mesh.lower[1], (SimplexList{{0, 2}}));
-    ASSERT_EQ(mesh.fields.size(), 2U);
-    EXPECT_EQ(mesh.fields[0], (MeshField{"quality", MeshField::On::vertices, 1, {0.5, -1, 2, 3}}));
-    EXPECT_EQ(mesh.fields[1], (MeshField{"area", MeshField::On::rows, 1, {0.5, 0.75}}));
-    EXPECT_EQ(mesh.notes, std::vector<std::string>{"skipped 1 records of the element 'material'"});
+    ASSERT_EQ(mesh.fields.size(), 4U);
+    EXPECT_EQ(mesh.fields[0], (MeshField{"red", MeshField::On::vertices, 1, {255, 0, 7, 8}}));
+    EXPECT_EQ(mesh.fields[1], (MeshField{"quality", MeshField::On::vertices, 1, {0.5, -1, 2, 3}}));
+    EXPECT_EQ(mesh.fields[2], (MeshField{"flags", MeshField::On::rows, 1, {1, 2}}));
+    EXPECT_EQ(mesh.fields[3], (MeshField{"area", MeshField::On::rows, 1, {0.5, 0.75}}));
+    EXPECT_EQ(mesh.notes, (std::vector<std::string>{"skipped the list 'texcoord' of the faces",
+                                                    "skipped 1 records of the element 'material'"}));
   }
 }
 
@@ -57,6 +60,32 @@ TEST(Ply, ListsAmongTheNumbersOfVertices) {
   EXPECT_EQ(mesh.points, (std::vector<double>{5, -6}));
   EXPECT_EQ(mesh.ambient_dimension, 1);
   EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1}}));
+}
+
+TEST(Ply, IntegersAreFieldsWithTheirExtremes) {
+  const std::string properties =
+      "element vertex 2\nproperty float x\nproperty int a\nproperty uint b\nproperty char c\nend_header\n";
+  const auto text = read(header + properties + "0 -2147483648 0 -128\n0 2147483647 4294967295 127\n");
+  const auto bytes =
+      read("ply\nformat binary_big_endian 1.0\n" + properties + std::string("\0\0\0\0\x80\0\0\0\0\0\0\0\x80", 13) +
+           std::string("\0\0\0\0\x7f\xff\xff\xff\xff\xff\xff\xff\x7f", 13));
+  for (const auto& mesh : {text, bytes}) {
+    ASSERT_EQ(mesh.fields.size(), 3U);
+    EXPECT_EQ(mesh.fields[0].values, (std::vector<double>{-2147483648.0, 2147483647}));
+    EXPECT_EQ(mesh.fields[1].values, (std::vector<double>{0, 4294967295.0}));
+    EXPECT_EQ(mesh.fields[2].values, (std::vector<double>{-128, 127}));
+    EXPECT_TRUE(mesh.notes.empty());
+  }
+  refused(header + properties + "0 2147483648 0 0\n0 0 0 0\n", 9, "is 2147483648, expected -2147483648 to 2147483647");
+}
+
+TEST(Ply, WhatIsSkippedIsNamed) {
+  const auto mesh = read(header + "element vertex 2\nproperty float x\nproperty list uchar float w\nelement edge 1\n" +
+                         "property uchar red\nproperty int vertex2\nproperty int vertex1\nend_header\n" +
+                         "0 2 nan inf\n1 0\n7 0 1\n");
+  EXPECT_EQ(mesh.simplices, (SimplexList{{1, 0}}));
+  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"skipped the list 'w' of the vertices",
+                                                  "skipped the property 'red' of the edges"}));
 }
 
 TEST(Ply, PolygonsAreSplitOnRequest) {
@@ -87,6 +116,9 @@ TEST(Ply, RefusesBadHeaders) {
   refused(header + "element vertex -1\n", 3, "the number of records is -1");
   refused(header + "element vertex\n", 3, "the end of the line");
   refused(header + "element vertex 1\nproperty real x\n", 4, "'real', expected a type such as float");
+  for (const auto* type : {"int64", "uint64", "long", "list uchar int64"})
+    refused(header + "element vertex 1\nproperty " + type + " x\n", 4,
+            "is none of PLY, whose integers have at most 32 bits; expected int, or double");
   refused(header + "element vertex 1\nproperty list float int x\n", 4, "'float', expected an integer type");
   refused(header + "element vertex 1\nproperty float x\nproperty int x\n", 5, "has the property 'x' twice");
   refused(header + "element a 0\nproperty float x\nelement a 0\n", 5, "the element 'a' is there twice");
@@ -143,19 +175,50 @@ TEST(Ply, WritesFieldsAndReadsThemBack) {
   auto mesh = read(ply_ascii_sample);
   mesh.notes.clear();
   mesh.lower.clear();
-  mesh.fields.push_back({"a vector", MeshField::On::vertices, 2, {1, 2, 3, 4, 5, 6, 7, infinity}});
+  mesh.fields[1].values = {infinity, -infinity, -0.0, std::numeric_limits<double>::quiet_NaN()};
+  mesh.fields[3].values = {-std::numeric_limits<double>::quiet_NaN(), infinity};
   EXPECT_TRUE(not_carried(mesh, MeshFormat::ply).empty());
   for (const auto encoding : {WriteOptions::Encoding::ascii, WriteOptions::Encoding::usual}) {
     write_mesh(directory / "a.ply", mesh, MeshFormat::ply, {.encoding = encoding});
     const auto back = read_mesh(directory / "a.ply");
     EXPECT_EQ(back.simplices, mesh.simplices);
     EXPECT_EQ(back.points, mesh.points);
-    ASSERT_EQ(back.fields.size(), 4U);
-    EXPECT_EQ(back.fields[0], mesh.fields[0]);
-    EXPECT_EQ(back.fields[1], (MeshField{"a_vector_0", MeshField::On::vertices, 1, {1, 3, 5, 7}}));
-    EXPECT_EQ(back.fields[2], (MeshField{"a_vector_1", MeshField::On::vertices, 1, {2, 4, 6, infinity}}));
-    EXPECT_EQ(back.fields[3], mesh.fields[1]);
+    EXPECT_TRUE(back.notes.empty());
+    ASSERT_EQ(back.fields.size(), mesh.fields.size());
+    for (std::size_t i = 0; i < mesh.fields.size(); ++i)
+      expect_field(back.fields[i], mesh.fields[i].name, mesh.fields[i].on, 1, mesh.fields[i].values);
   }
+}
+
+TEST(Ply, SaysWhichNamesItCannotHold) {
+  const TemporaryDirectory directory;
+  MeshData mesh;
+  mesh.simplices = SimplexList{{0, 1, 2}};
+  mesh.vertex_count = 3;
+  mesh.ambient_dimension = 2;
+  mesh.points = {0, 0, 1, 0, 0, 1};
+  mesh.fields = {{"x", MeshField::On::vertices, 1, {1, 2, 3}},
+                 {"a vector", MeshField::On::vertices, 2, {1, 2, 3, 4, 5, 6}},
+                 {"a_vector_1", MeshField::On::vertices, 1, {7, 8, 9}},
+                 {"\xc3\xbc", MeshField::On::vertices, 1, {1, 1, 1}},
+                 {"", MeshField::On::rows, 1, {4}}};
+  EXPECT_EQ(
+      not_carried(mesh, MeshFormat::ply),
+      (std::vector<std::string>{
+          "format ply does not hold the name of the field 'x': it becomes 'x_'",
+          "format ply does not hold the 2 components of the field 'a vector' together: they become 'a_vector_0' to "
+          "'a_vector_1'",
+          "format ply does not hold the name of the field 'a_vector_1': it becomes 'a_vector_1_'",
+          "format ply does not hold the name of the field '': it becomes 'field'"}));
+  write_mesh(directory / "a.ply", mesh);
+  const auto back = read_mesh(directory / "a.ply").fields;
+  ASSERT_EQ(back.size(), 6U);
+  EXPECT_EQ(back[0], (MeshField{"x_", MeshField::On::vertices, 1, {1, 2, 3}}));
+  EXPECT_EQ(back[1], (MeshField{"a_vector_0", MeshField::On::vertices, 1, {1, 3, 5}}));
+  EXPECT_EQ(back[2], (MeshField{"a_vector_1", MeshField::On::vertices, 1, {2, 4, 6}}));
+  EXPECT_EQ(back[3], (MeshField{"a_vector_1_", MeshField::On::vertices, 1, {7, 8, 9}}));
+  EXPECT_EQ(back[4], mesh.fields[3]);
+  EXPECT_EQ(back[5], (MeshField{"field", MeshField::On::rows, 1, {4}}));
 }
 
 }  // namespace

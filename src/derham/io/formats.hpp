@@ -82,6 +82,8 @@ struct TetgenPaths {
 
 /// What of a mesh these files cannot hold beside what the markers cannot, one phrase each.
 [[nodiscard]] std::vector<std::string> lost_in_tetgen(const MeshData& mesh);
+/// The same of a PLY file, which has names of one word for single numbers.
+[[nodiscard]] std::vector<std::string> lost_in_ply(const MeshData& mesh);
 
 /// Writes the files of a mesh: .face and .edge if there is something to write into them; else those of an older mesh are
 /// removed, for they would be read with this one.

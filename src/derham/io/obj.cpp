@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -26,6 +27,31 @@ constexpr std::array skipped_keywords{
     "parm"sv,  "res"sv,       "s"sv,      "scrv"sv,   "shadow_obj"sv, "sp"sv,    "stech"sv,    "step"sv,
     "surf"sv,  "trace_obj"sv, "trim"sv,   "usemap"sv, "usemtl"sv,     "vn"sv,    "vp"sv,       "vt"sv};
 static_assert(std::ranges::is_sorted(skipped_keywords));
+
+// Counts what is skipped, for the notes.
+class Skipped {
+ public:
+  // False if no line may begin with `keyword`.
+  bool count_line(std::string_view keyword) noexcept {
+    const auto* const found = std::ranges::lower_bound(skipped_keywords, keyword);
+    if (found == skipped_keywords.end() || *found != keyword) return false;
+    ++lines_[static_cast<std::size_t>(found - skipped_keywords.begin())];
+    return true;
+  }
+  void count_colour() noexcept { ++colours_; }
+
+  void note_on(MeshData& mesh) const {
+    std::string counts;
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      if (lines_[i] > 0) counts += text(counts.empty() ? "" : ", ", lines_[i], " ", skipped_keywords[i]);
+    if (!counts.empty()) mesh.notes.push_back("skipped lines: " + counts);
+    if (colours_ > 0) mesh.notes.push_back(text("skipped the colours of ", colours_, " vertices"));
+  }
+
+ private:
+  std::array<Offset, skipped_keywords.size()> lines_{};
+  Offset colours_ = 0;
+};
 
 // The vertex number of a corner "v", "v/vt", "v//vn" or "v/vt/vn"; 0, which numbers nothing, if it is none of these.
 std::int64_t corner_number(std::string_view corner) noexcept {
@@ -80,7 +106,7 @@ class Corners {
   std::int64_t farthest_ = -1, farthest_offset_ = 0;
 };
 
-void read_vertex(Cursor& file, MeshData& mesh) {
+void read_vertex(Cursor& file, MeshData& mesh, Skipped& skipped) {
   if (mesh.vertex_count == std::numeric_limits<Index>::max() - 1)
     throw LimitError(
         text(file.name(), ": more vertices than this build's index type can number; build with DERHAM_INDEX64"));
@@ -94,6 +120,7 @@ void read_vertex(Cursor& file, MeshData& mesh) {
   if (extra == 1 && last != 1)
     file.fail(text("a vertex of weight ", last, "; expected weight 1: derham reads no rational curves"));
   if (extra == 2) file.fail("5 numbers for a vertex; expected 3 coordinates, and possibly a weight or a colour");
+  if (extra > 2) skipped.count_colour();
 }
 
 }  // namespace
@@ -108,13 +135,14 @@ MeshData read_obj(Cursor& file, const ReadOptions& options) {
   ListedSimplices rows;
   Corners corners(file);
   Polygons polygons(file, options);
+  Skipped skipped;
   std::vector<Index> row(3);
   const auto next_corner = [&] { return corners.next(mesh.vertex_count); };
   while (file.next_line()) {
     const auto start = file.offset();
     const auto keyword = file.word("a keyword");
     if (keyword == "v") {
-      read_vertex(file, mesh);
+      read_vertex(file, mesh, skipped);
     } else if (keyword == "f") {
       row.resize(3);
       for (Index& v : row) v = next_corner();
@@ -132,7 +160,7 @@ MeshData read_obj(Cursor& file, const ReadOptions& options) {
         row[0] = next_corner();
         rows.add(std::span(row).first(1));
       } while (!file.at_line_end());
-    } else if (is_obj_keyword(keyword)) {
+    } else if (skipped.count_line(keyword)) {
       file.skip_line();
     } else {
       file.rewind(start);
@@ -143,6 +171,7 @@ MeshData read_obj(Cursor& file, const ReadOptions& options) {
   mesh.vertex_tags.resize(static_cast<std::size_t>(mesh.vertex_count));
   std::iota(mesh.vertex_tags.begin(), mesh.vertex_tags.end(), 1);  // OBJ numbers vertices from 1
   polygons.note_on(mesh);
+  skipped.note_on(mesh);
   std::move(rows).move_to(mesh);
   return mesh;
 }

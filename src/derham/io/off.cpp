@@ -39,6 +39,7 @@ MeshData read_off(Cursor& file, const ReadOptions& options) {
 
   ListedSimplices rows;
   Polygons polygons(file, options);
+  Index coloured = 0;
   std::vector<Index> row;
   for (Index i = 0; i < faces; ++i) {
     if (!file.next_line()) file.fail(text("the file ends after ", i, " of ", faces, " faces"));
@@ -48,12 +49,14 @@ MeshData read_off(Cursor& file, const ReadOptions& options) {
     for (std::int64_t v = 0; v < width; ++v)
       row.push_back(static_cast<Index>(file.integer("a vertex id", 0, std::int64_t{mesh.vertex_count} - 1)));
     // A colour may follow: an index, or 3 or 4 components.
+    coloured += !file.at_line_end();
     for (int part = 0; part < 4 && !file.at_line_end(); ++part) (void)file.real("a colour");
     file.end_line();
     polygons.add(row, rows);
   }
   file.end_file();
   polygons.note_on(mesh);
+  if (coloured > 0) mesh.notes.push_back(text("skipped the colours of ", coloured, " faces"));
   std::move(rows).move_to(mesh);
   return mesh;
 }

@@ -12,22 +12,22 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::array<std::pair<std::string_view, Type>, 16> type_names{{{"char", Type::int8},
-                                                                        {"uchar", Type::uint8},
-                                                                        {"short", Type::int16},
-                                                                        {"ushort", Type::uint16},
-                                                                        {"int", Type::int32},
-                                                                        {"uint", Type::uint32},
-                                                                        {"float", Type::float32},
-                                                                        {"double", Type::float64},
-                                                                        {"int8", Type::int8},
-                                                                        {"uint8", Type::uint8},
-                                                                        {"int16", Type::int16},
-                                                                        {"uint16", Type::uint16},
-                                                                        {"int32", Type::int32},
-                                                                        {"uint32", Type::uint32},
-                                                                        {"float32", Type::float32},
-                                                                        {"float64", Type::float64}}};
+constexpr std::array<std::pair<std::string_view, NumberType>, 16> type_names{{{"char", NumberType::int8},
+                                                                              {"uchar", NumberType::uint8},
+                                                                              {"short", NumberType::int16},
+                                                                              {"ushort", NumberType::uint16},
+                                                                              {"int", NumberType::int32},
+                                                                              {"uint", NumberType::uint32},
+                                                                              {"float", NumberType::float32},
+                                                                              {"double", NumberType::float64},
+                                                                              {"int8", NumberType::int8},
+                                                                              {"uint8", NumberType::uint8},
+                                                                              {"int16", NumberType::int16},
+                                                                              {"uint16", NumberType::uint16},
+                                                                              {"int32", NumberType::int32},
+                                                                              {"uint32", NumberType::uint32},
+                                                                              {"float32", NumberType::float32},
+                                                                              {"float64", NumberType::float64}}};
 
 // The next word, which must be one of a few; `expected` lists them.
 template <class Accept>
@@ -39,11 +39,20 @@ void take(Cursor& file, const char* expected, Accept accept) {
   file.fail_token(expected, nullptr);
 }
 
-Type take_type(Cursor& file, bool of_count) {
-  auto type = Type::int8;
+// Some programs write integers that PLY does not have.
+void refuse_64_bits(const Cursor& file, std::string_view word) {
+  constexpr std::array names{"int64"sv, "uint64"sv, "long"sv, "ulong"sv, "longlong"sv, "ulonglong"sv, "long64"sv};
+  if (std::ranges::find(names, word) != names.end())
+    file.fail(text("the type ", quoted_token(word),
+                   " is none of PLY, whose integers have at most 32 bits; expected int, or double for larger numbers"));
+}
+
+NumberType take_type(Cursor& file, bool of_count) {
+  auto type = NumberType::int8;
   take(file, of_count ? "an integer type such as uchar" : "a type such as float, double, int or uchar",
        [&](std::string_view word) {
          const auto* const found = std::ranges::find(type_names, word, [](const auto& entry) { return entry.first; });
+         refuse_64_bits(file, word);
          if (found == type_names.end() || (of_count && is_real(found->second))) return false;
          type = found->second;
          return true;
@@ -113,10 +122,22 @@ int Element::find(std::string_view property) const noexcept {
   return found == properties.end() ? -1 : static_cast<int>(found - properties.begin());
 }
 
+int Element::find_scalar(std::string_view property) const noexcept {
+  const int at = find(property);
+  return at >= 0 && !properties[static_cast<std::size_t>(at)].is_list ? at : -1;
+}
+
+int Element::find_ids(std::string_view property) const noexcept {
+  const int at = find(property);
+  if (at < 0) return -1;
+  const auto& found = properties[static_cast<std::size_t>(at)];
+  return found.is_list && !is_real(found.type) ? at : -1;
+}
+
 std::int64_t Element::least_bytes(bool is_text) const noexcept {
   std::int64_t bytes = 0;
   for (const auto& property : properties)
-    bytes += is_text ? 2 : size_of(property.is_list ? property.count_type : property.type);
+    bytes += is_text ? 2 : byte_width(property.is_list ? property.count_type : property.type);
   return bytes;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "derham/io/cursor.hpp"
+#include "derham/io/number_block.hpp"
 
 #include <cstdint>
 #include <string>
@@ -10,19 +11,11 @@
 // The header of a PLY file. Not installed.
 namespace derham::ply {
 
-enum class Type : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-[[nodiscard]] constexpr int size_of(Type type) noexcept {
-  constexpr int sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-  return sizes[static_cast<int>(type)];
-}
-[[nodiscard]] constexpr bool is_real(Type type) noexcept { return type >= Type::float32; }
-
 struct Property {
   std::string name;
-  Type type = Type::float64;
+  NumberType type = NumberType::float64;
   bool is_list = false;
-  Type count_type = Type::uint8;  ///< of a list
+  NumberType count_type = NumberType::uint8;  ///< of a list
 };
 
 struct Element {
@@ -34,6 +27,9 @@ struct Element {
   [[nodiscard]] bool has_lists() const noexcept;
   /// The position of the property, -1 if there is none.
   [[nodiscard]] int find(std::string_view property) const noexcept;
+  /// The position of the property if it is one number (a list of integers), else -1.
+  [[nodiscard]] int find_scalar(std::string_view property) const noexcept;
+  [[nodiscard]] int find_ids(std::string_view property) const noexcept;
   /// How many bytes one record takes at least.
   [[nodiscard]] std::int64_t least_bytes(bool is_text) const noexcept;
 };

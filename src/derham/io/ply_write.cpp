@@ -1,6 +1,7 @@
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/byte_order.hpp"
+#include "derham/io/cursor.hpp"
 #include "derham/io/formats.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ struct Column {
 // A name that is one word, and not taken yet.
 std::string free_word(std::string name, std::set<std::string>& taken) {
   for (char& c : name)
-    if (c <= ' ' || c == '\x7f') c = '_';
+    if (static_cast<unsigned char>(c) <= ' ' || c == '\x7f') c = '_';
   if (name.empty()) name = "field";
   while (!taken.insert(name).second) name += '_';
   return name;
@@ -37,7 +38,30 @@ std::vector<Column> columns(const MeshData& mesh, MeshField::On on) {
   return out;
 }
 
+// What becomes of the names of the fields.
+void add_lost_names(const MeshData& mesh, MeshField::On on, std::vector<std::string>& lost) {
+  const auto written = columns(mesh, on);
+  for (std::size_t i = 0; i < written.size(); i += static_cast<std::size_t>(written[i].field->components)) {
+    const auto& field = *written[i].field;
+    const auto last = i + static_cast<std::size_t>(field.components) - 1;
+    if (field.components > 1)
+      lost.push_back(text("the ", field.components, " components of the field ", quoted_token(field.name),
+                          " together: they become ", quoted_token(written[i].name), " to ",
+                          quoted_token(written[last].name)));
+    else if (written[i].name != field.name)
+      lost.push_back(
+          text("the name of the field ", quoted_token(field.name), ": it becomes ", quoted_token(written[i].name)));
+  }
+}
+
 }  // namespace
+
+std::vector<std::string> lost_in_ply(const MeshData& mesh) {
+  std::vector<std::string> lost;
+  add_lost_names(mesh, MeshField::On::vertices, lost);
+  add_lost_names(mesh, MeshField::On::rows, lost);
+  return lost;
+}
 
 void write_ply(TextWriter& file, const MeshData& mesh, const WriteOptions& options) {
   if (std::int64_t{mesh.vertex_count} > std::numeric_limits<std::int32_t>::max())

@@ -33,12 +33,13 @@ namespace derham {
 ///          or strings and those of the whole data set are dropped and noted.
 /// vtu      as vtk, one piece: numbers as text, base64 or appended (raw, base64), plain or compressed by zlib, either
 ///          byte order.
-/// off      m = 3; faces of 1 to 3 vertices, with or without colours; larger ones see ReadOptions::triangulate, as in all
-///          surface formats.
-/// obj      m = 3; p, l and f lines; texture coordinates, normals, groups and materials are skipped.
+/// off      m = 3; faces of 1 to 3 vertices, with or without colours, which are skipped and noted; larger ones see
+///          ReadOptions::triangulate, as in all surface formats.
+/// obj      m = 3; p, l and f lines; texture coordinates, normals, groups, materials, colours and the like are skipped
+///          and noted.
 /// ply      m = 1 to 3, as there are x, y, z; ASCII and both byte orders. Elements vertex, face (vertex_indices or
-///          vertex_index: 1 to 3 vertices) and edge, in any order; other scalar properties of type float or double are
-///          fields, one each; all else is checked, skipped and (elements) noted.
+///          vertex_index: 1 to 3 vertices) and edge, in any order; other scalar properties of vertices and faces are
+///          fields, one each; all else is checked, skipped and noted.
 /// stl      m = 3, ASCII and binary. Corners at exactly the same place (0 = -0) are one vertex, numbered as they first
 ///          appear, and the notes say so; triangles that become flat stay. Several solids are parts. Normals are skipped.
 /// facets   m = 0 (abstract): one simplex of 1 to 7 vertex ids per line, dimensions may be mixed; no line: empty complex.

@@ -98,6 +98,8 @@ std::vector<std::string> not_carried(const MeshData& mesh, MeshFormat format, co
   }
   if (format == MeshFormat::tetgen)
     for (const auto& phrase : lost_in_tetgen(mesh)) lose(phrase);
+  if (format == MeshFormat::ply)
+    for (const auto& phrase : lost_in_ply(mesh)) lose(phrase);
   if (!mesh.fields.empty() && !traits.holds_fields) lose("fields (", mesh.fields.size(), ")");
   if (!mesh.forms.empty() && format != MeshFormat::npz) lose("forms (", mesh.forms.size(), ")");
   if (!mesh.edge_lengths_squared.empty() && format != MeshFormat::npz) lose("edge lengths");

@@ -24,7 +24,8 @@ namespace derham {
 ///          within it. Fields of finite values and up to 9 components, padded with zeros to 1, 3 or 9.
 /// medit    n = 1 to 3; m <= 3 (padded to 2); parts as references: the number of the first part a simplex is in
 /// off, obj n <= 2
-/// ply      n <= 2; doubles, binary unless asked otherwise; fields are properties, one per component
+/// ply      n <= 2; doubles, binary unless asked otherwise; fields are properties, one per component, whose
+///          names are one word and distinct (`not_carried` says what becomes of others)
 /// stl      n = 2; binary unless asked otherwise: then positions are rounded to 32-bit numbers (`not_carried` says so).
 ///          Reading it back numbers the vertices afresh and makes one of those at the same place
 /// vtk      n <= 3; text, or bytes if asked for. `lower` follows the rows, with NaN in fields on rows; fields become
