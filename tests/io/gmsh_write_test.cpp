@@ -135,7 +135,7 @@ TEST(WriteGmsh, RefusesWhatTheFormatCannotHold) {
   refused(mesh, "is too long; a .msh file holds names of at most 127 bytes");
   mesh = random_mesh(2, 3);
   mesh.fields[0].name = mesh.fields[3].name;
-  refused(mesh, "two fields are called \"stress\"");
+  refused(mesh, "two fields on vertices are called 'stress'");
   mesh = random_mesh(2, 3);
   mesh.fields[0] = {"big", MeshField::On::vertices, 10, std::vector<double>(300)};
   refused(mesh, "field \"big\" has 10 components");

@@ -77,6 +77,20 @@ TEST(Npz, ReadsWhatNumpyCompresses) {
   EXPECT_EQ(mesh.notes, std::vector<std::string>{"skipped the array 'extra'"});
 }
 
+TEST(Npz, IntegersAreRealNumbersToo) {
+  const auto mesh = read(zip({{"simplices.npy", triangle},
+                              {"points.npy", npy<std::int64_t>({3, 2}, {0, 0, 1, 0, 0, -9007199254740992})},
+                              {"point_data_u.npy", npy<std::int8_t>({3}, {1, 2, -3})},
+                              {"form_f_1_primal.npy", npy<std::int32_t>({3}, {4, 5, 6})}}));
+  EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 1, 0, 0, -0x1p53}));
+  EXPECT_EQ(mesh.fields.at(0), (MeshField{"u", MeshField::On::vertices, 1, {1, 2, -3}}));
+  EXPECT_EQ(mesh.forms.at(0), (MeshForm{"f", 1, false, {4, 5, 6}}));
+  // In the order of axes of Fortran, and of bytes that this machine may not have.
+  const auto columns = read(with("point_data_v", npy_of("{'descr': '>i2', 'fortran_order': True, 'shape': (3, 2)}",
+                                                        std::string("\0\1\0\2\0\3\0\4\0\5\xff\xff", 12))));
+  EXPECT_EQ(columns.fields.at(0).values, (std::vector<double>{1, 4, 2, 5, 3, -1}));
+}
+
 // Everything a mesh can have.
 MeshData rich_mesh() {
   MeshData mesh = read(npz_deflated_sample);
@@ -270,7 +284,14 @@ TEST(Npz, RefusesArraysThatDoNotFitTheMesh) {
   refused(with("row_tags", npy<std::int64_t>({2}, {0, 1})), "shape (2,); expected (1,)");
   refused(with("lower_1", npy<std::int64_t>({1, 3}, {0, 1, 2})), "expected (rows, 2)");
   refused(with("point_data_u", npy<double>({2}, {0, 1})), "shape (2,); expected (3,) or (3, components)");
-  refused(with("row_data_u", npy<std::int32_t>({1}, {0})), "expected float64 or float32");
+  refused(with("row_data_u", npy_of("{'descr': '<f2', 'fortran_order': False, 'shape': (1,)}", "ab")),
+          "the type f2; expected float64, float32 or integers: save it with astype(float)");
+  refused(with("row_data_u", npy_of("{'descr': '|b1', 'fortran_order': False, 'shape': (1,)}", "a")),
+          "the type b1; expected float64");
+  refused(with("row_data_u", npy<std::int64_t>({1}, {-9007199254740993})),
+          "the integer -9007199254740993, which no double holds");
+  refused(with("row_data_u", npy_of("{'descr': '<u8', 'fortran_order': False, 'shape': (1,)}", std::string(8, '\xff'))),
+          "the integer 18446744073709551615, which no double holds");
   refused(with("form_u_1_primal", npy<double>({1, 1}, {0})), "a number for every simplex");
   for (const auto* name : {"form_u", "form_u_1", "form_u_x_dual", "form_u_7_dual", "form_1_dual", "lower_2"})
     EXPECT_EQ(read(with(name, triangle)).notes.size(), 1U) << name;

@@ -121,6 +121,16 @@ TEST(Vtk, RoundedIntegersAreCounted) {
             std::vector<std::string>{"array 'a': rounded 1 integer that no double holds"});
 }
 
+TEST(Vtk, ArraysOfOneNameAreKept) {
+  const auto mesh =
+      read(with_point_data("SCALARS u int\nLOOKUP_TABLE default\n1 2 3 4 5\nFIELD F 2\n"
+                           "u 1 5 int\n6 7 8 9 0\nv 1 5 int\n1 1 1 1 1\n"));
+  ASSERT_EQ(mesh.fields.size(), 3u);
+  expect_field(mesh.fields[0], "u", MeshField::On::vertices, 1, {1, 2, 3, 4, 5});
+  expect_field(mesh.fields[1], "u", MeshField::On::vertices, 1, {6, 7, 8, 9, 0});
+  EXPECT_EQ(mesh.notes, std::vector<std::string>{"2 fields on vertices are called 'u': all are kept"});
+}
+
 // Written by VTK 9.7.
 TEST(Vtk, ArraysOfBitsAndStringsAreSkipped) {
   const std::vector<std::string> notes{"array 'b' of bits is not kept", "array 's' of strings is not kept"};

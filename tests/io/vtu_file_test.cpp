@@ -184,6 +184,9 @@ TEST(VtuFile, RefusesWhatItCannotHold) {
   EXPECT_THROW(VtuFile(mesh).cell_data("x", one), InputError);
   EXPECT_THROW(VtuFile(mesh).cell_data("", std::vector<double>{1, 2}), InputError);
   EXPECT_THROW(VtuFile(mesh).cell_data("x", std::vector<double>{}, 0), InputError);
+  const std::vector<double> two{1, 2}, four{1, 2, 3, 4};
+  EXPECT_THROW(VtuFile(mesh).cell_data("x", two).cell_data("x", two), InputError);
+  EXPECT_NO_THROW(VtuFile(mesh).cell_data("x", two).point_data("x", four));
   EXPECT_THROW(VtuFile(4, std::vector<double>(8), SimplexList{{0, 1}}), InputError);
   EXPECT_THROW(VtuFile(3, std::vector<double>(15), SimplexList{{0, 1, 2, 3, 4}}), InputError);
   EXPECT_THROW(VtuFile(3, std::vector<double>(7), SimplexList{{0, 1}}), InputError);

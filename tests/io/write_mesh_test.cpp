@@ -77,6 +77,28 @@ TEST(WriteMeshFacets, HoldsAnyComplex) {
   EXPECT_EQ(read_mesh(directory / "a.facets").simplices, mesh.simplices);
 }
 
+TEST(WriteMeshRefusals, FieldsOfOneNameAreRefusedWhereTheyAreWritten) {
+  const TemporaryDirectory directory;
+  auto mesh = random_mesh(2, 3, 1);
+  mesh.fields = {{"u", MeshField::On::vertices, 1, std::vector<double>(50, 1)},
+                 {"u", MeshField::On::rows, 1, std::vector<double>(40, 2)}};
+  for (const auto* name : {"a.vtk", "a.vtu", "a.npz", "a.ply", "a.msh"}) {
+    write_mesh(directory / name, mesh);
+    EXPECT_EQ(read_mesh(directory / name).fields, mesh.fields) << name;
+  }
+  mesh.fields.push_back(mesh.fields[0]);
+  for (const auto* name : {"b.vtk", "b.vtu", "b.npz", "b.ply", "b.msh", "b.ele"}) {
+    try {
+      write_mesh(directory / name, mesh);
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_STREQ(error.what(), "two fields on vertices are called 'u'; give one another name") << name;
+    }
+  }
+  write_mesh(directory / "c.off", mesh);
+  EXPECT_EQ(not_carried(mesh, MeshFormat::off), std::vector<std::string>{"format off does not hold fields (3)"});
+}
+
 TEST(WriteMeshRefusals, SayWhatTheFormatHolds) {
   const TemporaryDirectory directory;
   const auto refused = [&](const char* name, const MeshData& mesh) {

@@ -3,6 +3,7 @@
 
 #include "derham/core/text.hpp"
 #include "derham/io/cursor.hpp"
+#include "derham/io/number_block.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -291,7 +292,21 @@ NpyArray parse_npy(std::string_view bytes, const NpyFail& fail) {
   return array;
 }
 
-std::vector<double> npy_reals(const NpyArray& array) { return converted<double>(array); }
+std::vector<double> npy_reals(const NpyArray& array, const NpyFail& fail) {
+  if (!array.is_real() && !array.is_integer())
+    fail(text("the array has the type ", array.kind, array.item_bytes,
+              "; expected float64, float32 or integers: save it with astype(float)"));
+  if (array.is_integer() && array.item_bytes == 8)
+    with_type(array, [&]<class T>(T) {
+      if constexpr (std::is_integral_v<T>)
+        for (std::size_t i = 0; i < array.data.size(); i += sizeof(T))
+          if (const T value = load_number<T>(array.data.data() + i, array.swap); !is_exact_double(value))
+            fail(text("the array has the integer ", value,
+                      ", which no double holds; expected integers up to 2^53, or real numbers: save it with "
+                      "astype(float) if they may be rounded"));
+    });
+  return converted<double>(array);
+}
 std::vector<std::int64_t> npy_integers(const NpyArray& array) { return converted<std::int64_t>(array); }
 
 std::vector<Index> npy_ids(const NpyArray& array, std::int64_t bound, const char* what, const NpyFail& fail) {

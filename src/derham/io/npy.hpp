@@ -40,8 +40,9 @@ using NpyFail = std::function<void(const std::string&)>;
 /// Parses the bytes of a .npy file, format 1, 2 or 3, strictly. `fail` must throw.
 [[nodiscard]] NpyArray parse_npy(std::string_view bytes, const NpyFail& fail);
 
-/// All numbers in C order, whatever order the file has. The array must be real (of integers).
-[[nodiscard]] std::vector<double> npy_reals(const NpyArray& array);
+/// All numbers in C order, whatever order the file has. `npy_reals` takes real numbers and integers that a double holds;
+/// `fail` is called for others, with the number or the type in the message. The other two take integers.
+[[nodiscard]] std::vector<double> npy_reals(const NpyArray& array, const NpyFail& fail);
 [[nodiscard]] std::vector<std::int64_t> npy_integers(const NpyArray& array);
 /// As `npy_integers`; `fail` is called if one is not in [0, bound), with it in the message, named `what`.
 [[nodiscard]] std::vector<Index> npy_ids(const NpyArray& array, std::int64_t bound, const char* what,

@@ -23,9 +23,7 @@ using Shape = std::vector<std::int64_t>;
 constexpr std::int64_t most_vertices = std::numeric_limits<Index>::max() - 1;
 
 std::vector<double> reals(const NpyArray& array, bool finite, const NpyFail& fail) {
-  if (!array.is_real())
-    fail(text("the array has the type ", array.kind, array.item_bytes, "; expected float64 or float32"));
-  auto values = npy_reals(array);
+  auto values = npy_reals(array, fail);
   for (std::size_t i = 0; finite && i < values.size(); ++i)
     if (!std::isfinite(values[i]))
       fail(text("number ", i, " of the array is ", values[i], "; expected finite numbers"));

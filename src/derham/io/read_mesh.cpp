@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 namespace derham {
 namespace {
@@ -57,8 +59,19 @@ void refuse_lone_returns(std::string_view bytes, const std::string& name) {
   }
 }
 
-// What the options ask of every format alike.
+// A file may have fields of the same name, but none can be written so.
+void note_repeated_fields(MeshData& mesh) {
+  std::map<std::pair<MeshField::On, std::string_view>, std::size_t> counts;
+  for (const auto& field : mesh.fields) ++counts[{field.on, field.name}];
+  for (const auto& [field, count] : counts)
+    if (count > 1)
+      mesh.notes.push_back(text(count, " fields on ", field.first == MeshField::On::rows ? "rows" : "vertices",
+                                " are called ", quoted_token(field.second), ": all are kept"));
+}
+
+// What is done for every format alike.
 MeshData finished(MeshData mesh, const ReadOptions& options) {
+  note_repeated_fields(mesh);
   if (options.planar && mesh.ambient_dimension == 3 && !flatten_plane(mesh))
     mesh.notes.emplace_back("no mesh in a plane z = 0: read as one in space");
   return mesh;

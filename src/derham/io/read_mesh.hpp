@@ -44,7 +44,7 @@ namespace derham {
 ///          appear, and the notes say so; triangles that become flat stay. Several solids are parts. Normals are skipped.
 /// facets   m = 0 (abstract): one simplex of 1 to 7 vertex ids per line, dimensions may be mixed; no line: empty complex.
 /// npz      arrays of numpy in a zip archive, stored or deflated, of any integer type, float64 or float32, either byte order
-///          and either order of axes. `simplices` (rows, n+1); `points` (vertices, m), or for periodic meshes `corners`
+///          and either order of axes; integers may stand for real numbers where a double holds them. `simplices` (rows, n+1); `points` (vertices, m), or for periodic meshes `corners`
 ///          (rows, n+1, m), or neither: abstract; `vertex_count` () where there are no points; `edge_lengths_squared`
 ///          (edges,); `vertex_tags`, `row_tags`; `lower_<k>` (count, k+1); `point_data_<name>` and `row_data_<name>`
 ///          (items,) or (items, components); `form_<name>_<degree>_<primal|dual>`. Parts: `part_numbers`,
@@ -54,6 +54,7 @@ namespace derham {
 /// The simplices of the highest dimension in the file are the rows, in the file's order (facets: every line is a row);
 /// `lower` and `parts` hold the others and what they name. `vertex_tags` and `row_tags` hold the numbers that the file
 /// gives to vertices and rows, where they are not 0, 1, 2….
+/// Fields of the same name are all kept, and noted: `write_mesh` wants distinct names.
 /// Vertex ids are positions in the file and lie in [0, vertex_count); whether rows repeat or vertices are unused is not
 /// checked here.
 /// Throws   FileError (file, line, what was found, what was expected) for everything else that is wrong, among it wrong

@@ -128,12 +128,9 @@ Index drop_unused_vertices(MeshData& mesh) {
 
 void drop_mid_nodes(MeshData& mesh, Offset count, const char* cells) {
   if (count == 0) return;
-  const Offset lower = mesh.lower_count();
   const Index dropped = drop_unused_vertices(mesh);
   mesh.notes.push_back(text("kept the corner nodes of ", count, " ", cells, " of higher order; dropped ", dropped,
                             " nodes that no simplex uses"));
-  if (lower > mesh.lower_count())
-    mesh.notes.push_back(text("dropped ", lower - mesh.lower_count(), " simplices of lower dimension on such nodes"));
 }
 
 }  // namespace derham

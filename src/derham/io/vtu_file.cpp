@@ -129,21 +129,24 @@ void VtuFile::require_valid() const {
       throw InputError(text("vertex id ", v, " among ", vertex_count_, " vertices; expected 0 to ", vertex_count_ - 1));
 }
 
-VtuFile::Array VtuFile::checked(std::string name, Values values, int components, Offset items) const {
+VtuFile::Array VtuFile::checked(const std::vector<Array>& others, std::string name, Values values, int components,
+                                Offset items) {
   const auto size = static_cast<Offset>(std::visit([](auto v) { return v.size(); }, values));
   if (name.empty()) throw InputError("a data array needs a name");
+  if (std::ranges::find(others, name, &Array::name) != others.end())
+    throw InputError(text("two data arrays are called '", name, "'; expected distinct names"));
   if (components < 1 || size != items * components)
     throw InputError(text("data array '", name, "' has ", size, " values; expected ", items, " times ", components));
   return {std::move(name), values, components};
 }
 
 VtuFile& VtuFile::point_data(std::string name, Values values, int components) {
-  point_arrays_.push_back(checked(std::move(name), values, components, vertex_count_));
+  point_arrays_.push_back(checked(point_arrays_, std::move(name), values, components, vertex_count_));
   return *this;
 }
 
 VtuFile& VtuFile::cell_data(std::string name, Values values, int components) {
-  cell_arrays_.push_back(checked(std::move(name), values, components, simplices_.size()));
+  cell_arrays_.push_back(checked(cell_arrays_, std::move(name), values, components, simplices_.size()));
   return *this;
 }
 

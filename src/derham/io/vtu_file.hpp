@@ -37,7 +37,7 @@ class VtuFile {
 
   /// Adds an array with `components` values for every vertex (every simplex).
   /// Throws   InputError if the number of values is not vertices × components (simplices × components), or the name is
-  ///          empty
+  ///          empty or that of another array
   VtuFile& point_data(std::string name, Values values, int components = 1);
   VtuFile& cell_data(std::string name, Values values, int components = 1);
 
@@ -53,7 +53,8 @@ class VtuFile {
     int components;
   };
   void require_valid() const;
-  [[nodiscard]] Array checked(std::string name, Values values, int components, Offset items) const;
+  [[nodiscard]] static Array checked(const std::vector<Array>& others, std::string name, Values values, int components,
+                                     Offset items);
 
   int ambient_dimension_;
   std::span<const double> points_;

@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <string_view>
+#include <utility>
 
 namespace derham {
 namespace {
@@ -44,6 +47,15 @@ void require_sound_lists(const MeshData& mesh) {
     if (field.components < 1 || static_cast<Offset>(field.values.size()) != items * field.components)
       refuse("a field of ", field.values.size(), " values, expected ", field.components, " for each of ", items);
   }
+}
+
+// Two fields of one name would be one when they are read again.
+void require_distinct_fields(const MeshData& mesh) {
+  std::set<std::pair<MeshField::On, std::string_view>> names;
+  for (const auto& field : mesh.fields)
+    if (!names.emplace(field.on, field.name).second)
+      throw InputError(text("two fields on ", field.on == MeshField::On::rows ? "rows" : "vertices", " are called ",
+                            quoted_token(field.name), "; give one another name"));
 }
 
 void require_sound(const MeshData& mesh) {
@@ -117,6 +129,7 @@ void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format
   require_sound(mesh);
   const auto& traits = format_traits(format);
   if (format != MeshFormat::facets) require_fit(mesh, traits);
+  if (traits.holds_fields) require_distinct_fields(mesh);
 
   if (format == MeshFormat::tetgen && path != "-") return write_tetgen_files(tetgen_paths(path), mesh);
 

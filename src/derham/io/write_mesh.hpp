@@ -35,7 +35,8 @@ namespace derham {
 /// npz      everything but simplices of several dimensions, without loss (read_mesh.hpp names the arrays): stored, not
 ///          compressed, in this machine's types and order of bytes, every array at a multiple of 64 bytes
 /// Throws   InputError if the format cannot hold the mesh or the mesh is unsound (ids outside [0, vertex_count), wrong
-///          number of positions); FileError if the file cannot be written
+///          number of positions, two fields of one name on the vertices or on the rows where the format holds fields);
+///          FileError if the file cannot be written
 void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format, const WriteOptions& options = {});
 
 /// What of `mesh` a file of this format cannot hold though it can hold the mesh, one sentence each: parts, fields, ….
