@@ -6,6 +6,7 @@
 #include "io/vtk_checks.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,41 @@ TEST(VtuRead, WritesWhatItReads) {
   }
   mesh.fields[1].values.pop_back();
   EXPECT_THROW(write_mesh(directory / "b.vtu", mesh, MeshFormat::vtu), InputError);
+}
+
+// VTK 9.7 drops an array of text with a NaN.
+TEST(VtuRead, InTextOnlyFiniteNumbersAreText) {
+  const TemporaryDirectory directory;
+  auto mesh = read(vtu_raw_sample);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const std::size_t size : {1U, 2U, 3U, 4U}) {  // 16, 24, 32, 40 bytes: every length of the padding
+    mesh.simplices = SimplexList{{0}};
+    mesh.lower.clear();
+    mesh.vertex_count = static_cast<Index>(size);
+    mesh.points.resize(3 * size);
+    mesh.fields = {{"u", MeshField::On::vertices, 1, std::vector<double>(size, -infinity)},
+                   {"v", MeshField::On::vertices, 1, std::vector<double>(size, 0.1)}};
+    mesh.fields[0].values.back() = nan;
+    write_mesh(directory / "a.vtu", mesh, MeshFormat::vtu, {.encoding = WriteOptions::Encoding::ascii});
+    const auto bytes = read_bytes(directory / "a.vtu");
+    EXPECT_NE(bytes.find("Name=\"u\" format=\"binary\""), std::string::npos);
+    EXPECT_NE(bytes.find("Name=\"v\" format=\"ascii\""), std::string::npos);
+    const auto back = read_mesh(directory / "a.vtu");
+    ASSERT_EQ(back.fields.size(), 2u);
+    expect_field(back.fields[0], "u", MeshField::On::vertices, 1, mesh.fields[0].values);
+    EXPECT_EQ(back.fields[1], mesh.fields[1]);
+  }
+}
+
+TEST(VtuRead, MarkupMayHoldAnything) {
+  const auto bytes =
+      replaced(replaced(vtu_ascii_sample, "<Points>\n", "<Points a='> \"'><!-- 1 > <a> 'x -->\n<?p \"> ?>\n"),
+               "<Cells>\n", "<Cells><![CDATA[ <a> > \" ]]> some text &amp; more\n");
+  expect_sample(read(bytes));
+  refused(replaced(bytes, "1 1 1 1<", "1 1 1 nan<"), 13, "finite");
+  refused(replaced(bytes, "10 10 5", "10 10 300"), 18, "a cell type is 300");
+  refused(replaced(bytes, "<Cells>", "<Cells b=>"), 15, "not well-formed XML");
+  refused(replaced(bytes, "a='> ", "a=> '"), 11, "not well-formed XML");
 }
 
 TEST(VtuRead, TheLastBytesOfTheDataMayLookLikeBlanks) {

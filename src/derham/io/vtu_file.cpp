@@ -3,6 +3,7 @@
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/atomic_file.hpp"
+#include "derham/io/base64_writer.hpp"
 #include "derham/io/formats.hpp"
 #include "derham/io/text_writer.hpp"
 #include "derham/io/vtk_cells.hpp"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -29,16 +31,31 @@ const char* type_name(const VtuFile::Values& values) {
   return names[values.index()];
 }
 
-// Writes numbers one after the other, as bytes or as text of its own lines.
+// Whether no number is infinite or NaN: VTK reads none of these in the text of a .vtu file.
+bool is_finite(const VtuFile::Values& values) {
+  const auto* const numbers = std::get_if<std::span<const double>>(&values);
+  return numbers == nullptr || std::ranges::all_of(*numbers, [](double x) { return std::isfinite(x); });
+}
+
+// Writes numbers one after the other: text of its own lines, bytes as they are, or base64.
 class NumberWriter {
  public:
-  NumberWriter(TextWriter& file, bool is_text) : file_(file), is_text_(is_text) {}
+  enum class Form : std::uint8_t { text, raw, base64 };
+  NumberWriter(TextWriter& file, Form form) : file_(file), form_(form), base64_(file) {}
   template <class Number>
   void put(Number value) {
-    if (!is_text_) {
+    if (form_ == Form::raw)
       file_.put_bytes(value);
-      return;
-    }
+    else if (form_ == Form::base64)
+      base64_.put(value);
+    else
+      put_text(value);
+  }
+  void finish() { base64_.finish(); }
+
+ private:
+  template <class Number>
+  void put_text(Number value) {
     if constexpr (sizeof(Number) == 1)
       file_.put(int{value});
     else
@@ -47,9 +64,9 @@ class NumberWriter {
     file_.put(++count_ % numbers_per_line == 0 ? '\n' : ' ');
   }
 
- private:
   TextWriter& file_;
-  bool is_text_;
+  Form form_;
+  Base64Writer base64_;
   int count_ = 0;
 };
 
@@ -60,9 +77,11 @@ struct Block {
   int components;
   std::size_t bytes;
   std::function<void(NumberWriter&)> put;
+  bool is_finite = true;
 };
 
-// The elements of the file with their arrays: in text the numbers stand inside, else they are appended as raw bytes.
+// The elements of the file with their arrays: in text the numbers stand inside, as text if they are finite, else they are
+// appended as raw bytes.
 class Document {
  public:
   Document(TextWriter& file, bool is_text) : file_(file), is_text_(is_text) {}
@@ -72,9 +91,11 @@ class Document {
     file_.put('"');
     if (block.components > 1) file_.put(" NumberOfComponents=\"").put(block.components).put('"');
     if (is_text_) {
-      file_.put(" format=\"ascii\">\n");
-      NumberWriter numbers(file_, true);
+      file_.put(block.is_finite ? " format=\"ascii\">\n" : " format=\"binary\">\n");
+      NumberWriter numbers(file_, block.is_finite ? NumberWriter::Form::text : NumberWriter::Form::base64);
+      if (!block.is_finite) numbers.put(static_cast<std::uint64_t>(block.bytes));
       block.put(numbers);
+      numbers.finish();
       file_.put("\n        </DataArray>\n");
       return;
     }
@@ -85,7 +106,7 @@ class Document {
   void append() {
     if (is_text_) return;
     file_.put("  <AppendedData encoding=\"raw\">\n_");
-    NumberWriter numbers(file_, false);
+    NumberWriter numbers(file_, NumberWriter::Form::raw);
     for (const auto& block : appended_) {
       numbers.put(static_cast<std::uint64_t>(block.bytes));
       block.put(numbers);
@@ -203,7 +224,8 @@ void VtuFile::write(TextWriter& file, bool as_text) const {
                             }
                           },
                           array.values);
-                    }});
+                    },
+                    is_finite(array.values)});
   };
   document.line("      </Cells>\n      <PointData>");
   for (const auto& array : point_arrays_) data_array(array, point_count, one_point_per_corner_);

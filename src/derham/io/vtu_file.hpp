@@ -43,7 +43,8 @@ class VtuFile {
 
   /// Writes the file, complete or not at all; "-" is standard output. Throws FileError if it cannot be written.
   void write(const std::string& path) const;
-  /// As above; `as_text` writes numbers as text inside the XML instead of appended bytes.
+  /// As above; `as_text` writes numbers as text inside the XML instead of appended bytes (arrays with values that are
+  /// infinite or NaN in base64: VTK does not read these as text).
   void write(TextWriter& file, bool as_text = false) const;
 
  private:

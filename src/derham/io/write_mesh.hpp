@@ -28,9 +28,10 @@ namespace derham {
 ///          names are one word and distinct (`not_carried` says what becomes of others)
 /// stl      n = 2; binary unless asked otherwise: then positions are rounded to 32-bit numbers (`not_carried` says so).
 ///          Reading it back numbers the vertices afresh and makes one of those at the same place
-/// vtk      n <= 3; text, or bytes if asked for. `lower` follows the rows, with NaN in fields on rows; fields become
-///          arrays of doubles; parts, for which VTK has no word, are not written
-/// vtu      as vtk, but bytes unless text is asked for; also periodic meshes, one point per corner
+/// vtk      n <= 3; text, or bytes if asked for. `lower` follows the rows, with NaN in fields on rows (as text only new
+///          VTK reads it, 9.7 does); fields become arrays of doubles; parts, for which VTK has no word, are not written
+/// vtu      as vtk, but bytes unless text is asked for (then arrays with NaN are in base64: VTK reads none as text); also
+///          periodic meshes, one point per corner
 /// facets   everything, positions are dropped
 /// npz      everything but simplices of several dimensions, without loss (read_mesh.hpp names the arrays): stored, not
 ///          compressed, in this machine's types and order of bytes, every array at a multiple of 64 bytes
