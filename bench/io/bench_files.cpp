@@ -70,8 +70,7 @@ void write_vtu_zlib(const std::string& path, const MeshData& mesh) {
   std::vector<std::int64_t> offsets;
   for (Offset i = 1; i <= mesh.simplices.size(); ++i) offsets.push_back(i * (mesh.simplices.dimension() + 1));
   const std::vector<std::uint8_t> types(offsets.size(), 10);
-  const std::array arrays{compressed(mesh.points), compressed(connectivity), compressed(offsets),
-                          compressed(types)};
+  const std::array arrays{compressed(mesh.points), compressed(connectivity), compressed(offsets), compressed(types)};
   std::size_t offset = 0;
   std::ofstream file(path, std::ios::binary);
   const auto array = [&](const char* attributes, std::size_t i) {

@@ -82,8 +82,8 @@ int run(int argc, char** argv) {
   const BenchMeshes meshes(simplices);
   BenchDirectory directory;
   for (const auto& file : bench_files())
-    benchmark::RegisterBenchmark(
-        file.name.c_str(), [&](benchmark::State& state) { read(state, file, meshes, directory); })
+    benchmark::RegisterBenchmark(file.name.c_str(),
+                                 [&](benchmark::State& state) { read(state, file, meshes, directory); })
         ->Iterations(1)
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond);

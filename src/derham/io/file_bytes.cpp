@@ -2,6 +2,7 @@
 
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
+#include "derham/io/large_pages.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -63,6 +64,7 @@ FileBytes::FileBytes(const std::string& path) {
           name, ": longer than ", limit, " bytes, ",
           is_device ? "the most that is read from a device; give a file or a pipe" : "half of this machine's memory"));
     auto larger = std::make_unique_for_overwrite<char[]>(capacity);
+    prefer_large_pages(larger.get(), capacity);
     if (size_ > 0) std::memcpy(larger.get(), data_.get(), size_);
     data_ = std::move(larger);
     while (size_ < capacity) {

@@ -1,5 +1,6 @@
 #include "derham/core/text.hpp"
 #include "derham/io/gmsh_reading.hpp"
+#include "derham/io/large_pages.hpp"
 
 #include <algorithm>
 #include <array>
@@ -121,8 +122,8 @@ void read_gmsh_nodes_22(GmshReading& reading) {
   if (!input.file.next_line()) input.file.fail_token("the number of nodes", nullptr);
   mesh.vertex_count = input.count("the number of nodes", 8, 28);
   input.end_line_before_bytes();
-  mesh.points.reserve(static_cast<std::size_t>(mesh.vertex_count) * 3);
-  mesh.vertex_tags.reserve(static_cast<std::size_t>(mesh.vertex_count));
+  reserve_large(mesh.points, static_cast<std::size_t>(mesh.vertex_count) * 3);
+  reserve_large(mesh.vertex_tags, static_cast<std::size_t>(mesh.vertex_count));
   const auto start = input.file.offset();
   if (input.is_binary()) {
     read_binary_nodes(input, mesh);

@@ -1,5 +1,6 @@
 #include "derham/core/text.hpp"
 #include "derham/io/gmsh_reading.hpp"
+#include "derham/io/large_pages.hpp"
 
 #include <array>
 #include <cmath>
@@ -217,8 +218,8 @@ void read_gmsh_nodes_41(GmshReading& reading) {
   const auto [blocks, count] =
       read_block_counts(input, "the number of nodes", 8, std::int64_t{24} + input.size_width());
   mesh.vertex_count = count;
-  mesh.points.reserve(static_cast<std::size_t>(count) * 3);
-  mesh.vertex_tags.reserve(static_cast<std::size_t>(count));
+  reserve_large(mesh.points, static_cast<std::size_t>(count) * 3);
+  reserve_large(mesh.vertex_tags, static_cast<std::size_t>(count));
   read_node_blocks(reading, blocks, count, -1, 0);
   if (const Index repeated = reading.number_nodes(); repeated >= 0) {
     const auto tag = mesh.vertex_tags[static_cast<std::size_t>(repeated)];

@@ -2,6 +2,7 @@
 
 #include "derham/core/types.hpp"
 #include "derham/geometry/mesh_data.hpp"
+#include "derham/io/large_pages.hpp"
 
 #include <array>
 #include <cstdint>
@@ -34,8 +35,8 @@ class ListedSimplices {
   /// Room for `count` simplices with their tags in all.
   void reserve(int degree, Index count) {
     const auto d = static_cast<std::size_t>(degree);
-    vertices_[d].reserve(static_cast<std::size_t>(count) * (d + 1));
-    tags_[d].reserve(static_cast<std::size_t>(count));
+    reserve_large(vertices_[d], static_cast<std::size_t>(count) * (d + 1));
+    reserve_large(tags_[d], static_cast<std::size_t>(count));
   }
 
   /// The vertices of the simplex at `position`, until the next one is added.

@@ -1,5 +1,6 @@
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
+#include "derham/io/large_pages.hpp"
 #include "derham/io/listed_simplices.hpp"
 
 #include <algorithm>
@@ -172,7 +173,7 @@ class MeditReader {
     has_vertices_ = true;
     const int m = mesh_.ambient_dimension;
     mesh_.vertex_count = count("the number of vertices", 2 * (m + 1));
-    mesh_.points.reserve(static_cast<std::size_t>(mesh_.vertex_count) * static_cast<std::size_t>(m));
+    reserve_large(mesh_.points, static_cast<std::size_t>(mesh_.vertex_count) * static_cast<std::size_t>(m));
     for (Index i = 0; i < mesh_.vertex_count; ++i) {
       next_record(i, mesh_.vertex_count, "vertices");
       for (int axis = 0; axis < m; ++axis) mesh_.points.push_back(real("a coordinate"));

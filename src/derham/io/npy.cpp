@@ -3,6 +3,7 @@
 
 #include "derham/core/text.hpp"
 #include "derham/io/cursor.hpp"
+#include "derham/io/large_pages.hpp"
 #include "derham/io/number_block.hpp"
 
 #include <algorithm>
@@ -235,6 +236,7 @@ std::vector<Out> converted(const NpyArray& array) {
   with_type(array, [&]<class T>(T) {
     const char* const data = array.data.data();
     const auto count = static_cast<std::ptrdiff_t>(array.count());
+    reserve_large(out, static_cast<std::size_t>(count));
     if (array.fortran && array.shape.size() > 1) {
       out.resize(static_cast<std::size_t>(count));
       each_in_fortran_order(array, [&](std::size_t i, std::size_t position) {

@@ -1,5 +1,7 @@
 #include "derham/io/number_array.hpp"
 
+#include "derham/io/large_pages.hpp"
+
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -20,6 +22,7 @@ void NumberArray::fail(Offset i, const std::string& message) {
 void NumberArray::ids(Offset count, Index vertices, std::vector<Index>& out) {
   const auto expected = vertices > 0 ? text("expected 0 to ", vertices - 1) : std::string("but there are no points");
   const auto begin = out.size();
+  reserve_large(out, begin + static_cast<std::size_t>(count));
   out.resize(begin + static_cast<std::size_t>(count));
   Index* at = out.data() + begin;
   integers(count, "a point id", expected.c_str(), [&](std::int64_t id) {
@@ -52,6 +55,7 @@ std::uint64_t NumberArray::next_unsigned(const char* what) {
 
 Offset NumberArray::reals(Offset count, const char* what, bool is_finite, std::vector<double>& out) {
   const auto begin = out.size();
+  reserve_large(out, begin + static_cast<std::size_t>(count));
   out.resize(begin + static_cast<std::size_t>(count));
   double* const to = out.data() + begin;
   Offset rounded = 0;

@@ -1,5 +1,6 @@
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
+#include "derham/io/large_pages.hpp"
 #include "derham/io/listed_simplices.hpp"
 #include "derham/io/polygons.hpp"
 
@@ -30,7 +31,7 @@ MeshData read_off(Cursor& file, const ReadOptions& options) {
   if (!file.at_line_end()) (void)file.integer("the number of edges", 0, std::numeric_limits<std::int64_t>::max());
   file.end_line();
 
-  mesh.points.reserve(static_cast<std::size_t>(mesh.vertex_count) * 3);
+  reserve_large(mesh.points, static_cast<std::size_t>(mesh.vertex_count) * 3);
   for (Index i = 0; i < mesh.vertex_count; ++i) {
     if (!file.next_line()) file.fail(text("the file ends after ", i, " of ", mesh.vertex_count, " vertices"));
     for (int axis = 0; axis < 3; ++axis) mesh.points.push_back(file.real("a coordinate"));

@@ -1,4 +1,5 @@
 #include "derham/core/text.hpp"
+#include "derham/io/large_pages.hpp"
 #include "derham/io/ply_elements.hpp"
 
 #include <array>
@@ -27,6 +28,7 @@ int dimension_of(const Element& element) {
 std::vector<Target> targets_of(const Element& element, MeshData& mesh) {
   const auto count = static_cast<std::size_t>(element.count);
   const int m = mesh.ambient_dimension;
+  reserve_large(mesh.points, count * static_cast<std::size_t>(m));
   mesh.points.resize(count * static_cast<std::size_t>(m));
   mesh.fields.reserve(element.properties.size());
   std::vector<Target> targets;

@@ -2,6 +2,7 @@
 #include "derham/core/text.hpp"
 #include "derham/io/byte_order.hpp"
 #include "derham/io/formats.hpp"
+#include "derham/io/large_pages.hpp"
 
 #include <algorithm>
 #include <array>
@@ -79,7 +80,7 @@ class Triangles {
   explicit Triangles(const Cursor& file) : file_(file) { mesh_.ambient_dimension = 3; }
   void reserve(std::int64_t count) {
     require_numbers(count);
-    ids_.reserve(static_cast<std::size_t>(count) * 3);
+    reserve_large(ids_, static_cast<std::size_t>(count) * 3);
   }
   void add_corner(const std::array<double, 3>& position) {
     if (ids_.size() >= most_corners) require_numbers(static_cast<std::int64_t>(most_corners));

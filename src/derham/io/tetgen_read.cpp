@@ -1,5 +1,6 @@
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
+#include "derham/io/large_pages.hpp"
 #include "derham/io/listed_simplices.hpp"
 
 #include <array>
@@ -88,7 +89,7 @@ class TetgenReader {
                           MeshField::On::vertices);
     const auto markers = file.at_line_end() ? 0 : file.integer("the number of boundary markers", 0, 1);
     file.end_line();
-    mesh_.points.reserve(static_cast<std::size_t>(mesh_.vertex_count) * static_cast<std::size_t>(m));
+    reserve_large(mesh_.points, static_cast<std::size_t>(mesh_.vertex_count) * static_cast<std::size_t>(m));
     for (Index i = 0; i < mesh_.vertex_count; ++i) {
       next_record(file, "nodes", i, mesh_.vertex_count);
       take_number(file, "the node number", i, base_);
@@ -99,6 +100,7 @@ class TetgenReader {
     }
     attributes.move_to(mesh_.fields);
     if (base_ == 1) {
+      reserve_large(mesh_.vertex_tags, static_cast<std::size_t>(mesh_.vertex_count));
       mesh_.vertex_tags.resize(static_cast<std::size_t>(mesh_.vertex_count));
       std::iota(mesh_.vertex_tags.begin(), mesh_.vertex_tags.end(), 1);
     }
@@ -128,7 +130,7 @@ class TetgenReader {
     file.end_line();
     std::int64_t row_base = 0;
     std::vector<Index> ids;
-    ids.reserve(static_cast<std::size_t>(rows) * static_cast<std::size_t>(width));
+    reserve_large(ids, static_cast<std::size_t>(rows) * static_cast<std::size_t>(width));
     for (Index i = 0; i < rows; ++i) {
       next_record(file, "simplices", i, rows);
       take_number(file, "the number of the simplex", i, row_base);
@@ -145,6 +147,7 @@ class TetgenReader {
     else
       attributes.move_to(mesh_.fields);
     if (row_base == 1) {
+      reserve_large(mesh_.row_tags, static_cast<std::size_t>(rows));
       mesh_.row_tags.resize(static_cast<std::size_t>(rows));
       std::iota(mesh_.row_tags.begin(), mesh_.row_tags.end(), 1);
     }
@@ -161,7 +164,7 @@ class TetgenReader {
     file.end_line();
     std::int64_t base = 0, adjacent = 0;
     std::vector<Index> ids;
-    ids.reserve(static_cast<std::size_t>(count) * (d + 1));
+    reserve_large(ids, static_cast<std::size_t>(count) * (d + 1));
     for (Index i = 0; i < count; ++i) {
       next_record(file, names[d], i, count);
       if (i == 0) adjacent = adjacent_columns(file, degree, markers);

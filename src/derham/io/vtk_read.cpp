@@ -1,5 +1,6 @@
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
+#include "derham/io/large_pages.hpp"
 #include "derham/io/vtk_cells.hpp"
 #include "derham/io/vtk_data.hpp"
 #include "derham/io/vtk_input.hpp"
@@ -105,7 +106,7 @@ class VtkReader {
     const Index size = file_.count("the size of the list of cells", 2);
     file_.end_line();
     auto list = input_.numbers(size, 1, NumberType::int32, "the list of cells");
-    cells_.ids.reserve(cells_.ids.size() + static_cast<std::size_t>(std::max<Offset>(Offset{size} - count, 0)));
+    reserve_large(cells_.ids, cells_.ids.size() + static_cast<std::size_t>(std::max<Offset>(Offset{size} - count, 0)));
     // Every cell is the number of its points, then their ids.
     Offset cells = 0, left = 0, used = 0;
     list.integers(size, "an entry of the list of cells", "expected a number of points or the id of a point",
@@ -156,7 +157,7 @@ class VtkReader {
     file_.end_line();
     if (count != cells_.size()) input_.refuse(text(count, " cell types for ", cells_.size(), " cells"));
     types_ = input_.section();
-    cells_.types.reserve(static_cast<std::size_t>(count));
+    reserve_large(cells_.types, static_cast<std::size_t>(count));
     input_.numbers(count, 1, NumberType::int32, "CELL_TYPES")
         .integers(count, "a cell type", "expected 0 to 255", [&](std::int64_t type) {
           cells_.types.push_back(static_cast<std::uint8_t>(type));
