@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <string_view>
 
 namespace derham {
 namespace {
@@ -55,6 +57,25 @@ TEST(Cursor, RefusesWhatIsNoInteger) {
   for (const auto* bytes : {"1.0", "1e3", "+1", "0x1", "9223372036854775808", "--1", "1-", "one", ""})
     EXPECT_THROW((void)cursor(bytes).integer("an id"), FileError) << bytes;
   EXPECT_EQ(cursor("-9223372036854775808").integer("an id"), std::numeric_limits<std::int64_t>::min());
+}
+
+// Of any length, with anything behind, at the end of the file or not.
+TEST(Cursor, ReadsIntegersOfAnyLength) {
+  std::string digits;
+  std::int64_t value = 0;
+  for (const char digit : std::string_view("123456789098765432")) {
+    digits += digit;
+    value = 10 * value + (digit - '0');
+    for (const char* sign : {"", "-"})
+      for (const char* behind : {"", " ", "\n", "\r\n", "\t7 8 9 10 11", "#comment", " 99999999 99999999"}) {
+        const std::string bytes = sign + digits + behind;
+        auto c = cursor(bytes);
+        EXPECT_EQ(c.integer("an id"), *sign == '-' ? -value : value) << digits << behind;
+        EXPECT_EQ(c.offset(), static_cast<std::int64_t>(digits.size() + std::string_view(sign).size()));
+      }
+    for (const char* behind : {".", "/1", ":", "x", "-", "\x80\xff", "e5 1234567", "\xb0 1234567"})
+      EXPECT_THROW((void)cursor(digits + behind).integer("an id"), FileError) << digits << behind;
+  }
 }
 
 TEST(Cursor, ErrorsSayWhereWhatAndWhy) {

@@ -35,7 +35,7 @@ class GmshElements {
  public:
   /// Room for `count` simplices, if they are the first of their degree.
   void expect(int degree, Index count) {
-    if (simplices_.size(degree) == 0) simplices_.reserve(degree, count);
+    if (simplices_.size(degree) == 0) simplices_.reserve(degree, count, true);
   }
 
   /// Takes an element; returns its position among the simplices of its degree, -1 if its number belongs to another one.

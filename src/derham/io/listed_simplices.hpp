@@ -32,11 +32,11 @@ class ListedSimplices {
 
   [[nodiscard]] Index size(int degree) const noexcept { return count_[static_cast<std::size_t>(degree)]; }
 
-  /// Room for `count` simplices with their tags in all.
-  void reserve(int degree, Index count) {
+  /// Room for `count` simplices in all, with their tags or without.
+  void reserve(int degree, Index count, bool with_tags) {
     const auto d = static_cast<std::size_t>(degree);
     reserve_large(vertices_[d], static_cast<std::size_t>(count) * (d + 1));
-    reserve_large(tags_[d], static_cast<std::size_t>(count));
+    if (with_tags) reserve_large(tags_[d], static_cast<std::size_t>(count));
   }
 
   /// The vertices of the simplex at `position`, until the next one is added.

@@ -189,6 +189,7 @@ class MeditReader {
       refuse(start, text("the file has ", records,
                          " quadrilaterals, which are no simplices; expected triangles: split them first, or read with "
                          "triangulate"));
+    if (!is_quad) simplices_.reserve(static_cast<int>(kind.width) - 1, records, false);
     std::array<Index, 4> row{};
     for (Index i = 0; i < records; ++i) {
       next_record(i, records, kind.records);

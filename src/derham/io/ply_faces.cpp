@@ -73,7 +73,7 @@ FaceFields read_faces(Numbers& numbers, const Element& element, Polygons& polygo
     result.fields.back().values.reserve(static_cast<std::size_t>(element.count));
   }
   // Most faces are triangles: room for as many as the file can hold.
-  rows.reserve(2, static_cast<Index>(std::min(element.count, numbers.room_for_triangles(list))));
+  rows.reserve(2, static_cast<Index>(std::min(element.count, numbers.room_for_triangles(list))), false);
   std::vector<Index> face;
   for (std::int64_t i = 0; i < element.count; ++i) {
     if (field_of.size() == 1) i += numbers.triangles(list, element.count - i, mesh.vertex_count, rows);

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,14 +22,37 @@ namespace {
 
 constexpr std::int64_t header_bytes = 84, triangle_bytes = 50;
 
+using Position = std::array<double, 3>;
+
 // Finds the corners that lie at exactly the same place: a hash table of vertices, numbered as they first appear.
 class Weld {
  public:
-  explicit Weld(MeshData& mesh) : mesh_(mesh) { grow(); }
+  // How many positions `vertices` takes.
+  static constexpr std::size_t most_at_once = 96;
 
-  Index vertex(const std::array<double, 3>& position) {
-    const auto key = key_of(position.data());
-    auto slot = slot_of(key);
+  explicit Weld(MeshData& mesh) : mesh_(mesh) { resize(64); }
+
+  // Room for as many vertices as a closed surface of so many triangles has.
+  void reserve(std::int64_t triangles) {
+    const auto count = static_cast<std::size_t>(triangles);
+    reserve_large(mesh_.points, count / 2 * 3);
+    resize(std::bit_ceil(std::max<std::size_t>(count, 64)));
+  }
+
+  // The vertices at these positions. Their places in the table are far apart and not in the cache: all are asked for
+  // before the first is looked at.
+  void vertices(std::span<const Position> positions, std::vector<Index>& out) {
+    std::array<std::uint64_t, most_at_once> hashes{};
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      hashes[i] = hash_of(positions[i]);
+      __builtin_prefetch(&table_[slot_of(hashes[i])]);
+    }
+    for (std::size_t i = 0; i < positions.size(); ++i) out.push_back(vertex(positions[i], hashes[i]));
+  }
+
+ private:
+  Index vertex(const Position& position, std::uint64_t hash) {
+    auto slot = slot_of(hash);
     for (; table_[slot] >= 0; slot = (slot + 1) & (table_.size() - 1)) {
       const auto* const other = &mesh_.points[static_cast<std::size_t>(table_[slot]) * 3];
       if (other[0] == position[0] && other[1] == position[1] && other[2] == position[2]) return table_[slot];
@@ -36,34 +60,33 @@ class Weld {
     const Index v = mesh_.vertex_count++;
     table_[slot] = v;
     mesh_.points.insert(mesh_.points.end(), position.begin(), position.end());
-    if (static_cast<std::size_t>(v) >= table_.size() / 2) grow();
+    if (static_cast<std::size_t>(v) >= table_.size() / 2) resize(table_.size() * 2);
     return v;
   }
 
- private:
-  using Key = std::array<std::uint64_t, 3>;
-
-  static Key key_of(const double* position) noexcept {
-    Key key;
-    for (std::size_t i = 0; i < 3; ++i) key[i] = std::bit_cast<std::uint64_t>(position[i] + 0.0);  // -0 becomes 0
-    return key;
-  }
-
-  [[nodiscard]] std::size_t slot_of(const Key& key) const noexcept {
-    std::uint64_t hash = seed_;
-    for (const auto word : key) {
-      hash = (hash ^ word) * 0x9e3779b97f4a7c15U;
-      hash ^= hash >> 32;
-      hash *= 0xd6e8feb86659fd93U;
-      hash ^= hash >> 29;
+  // Multiply-shift of the halves of the words (Thorup, "High speed hashing for integers and strings", 2015): whatever
+  // the positions, few fall on the same place for nearly all multipliers.
+  [[nodiscard]] std::uint64_t hash_of(const Position& position) const noexcept {
+    std::uint64_t hash = multipliers_[6];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto word = std::bit_cast<std::uint64_t>(position[i] + 0.0);  // -0 becomes 0
+      hash += multipliers_[2 * i] * (word & 0xffffffffU) + multipliers_[2 * i + 1] * (word >> 32);
     }
-    return static_cast<std::size_t>(hash) & (table_.size() - 1);
+    return hash;
+  }
+  [[nodiscard]] std::size_t slot_of(std::uint64_t hash) const noexcept {
+    return static_cast<std::size_t>(hash >> shift_);
   }
 
-  void grow() {
-    table_.assign(std::max<std::size_t>(table_.size() * 2, 64), -1);
+  // `size` is a power of two above 1.
+  void resize(std::size_t size) {
+    table_ = {};
+    reserve_large(table_, size);
+    table_.assign(size, -1);
+    shift_ = 64 - std::countr_zero(size);
     for (Index v = 0; v < mesh_.vertex_count; ++v) {
-      auto slot = slot_of(key_of(&mesh_.points[static_cast<std::size_t>(v) * 3]));
+      const auto* const position = &mesh_.points[static_cast<std::size_t>(v) * 3];
+      auto slot = slot_of(hash_of({position[0], position[1], position[2]}));
       while (table_[slot] >= 0) slot = (slot + 1) & (table_.size() - 1);
       table_[slot] = v;
     }
@@ -71,8 +94,15 @@ class Weld {
 
   MeshData& mesh_;
   std::vector<Index> table_;
-  // Nobody can write a file whose vertices all fall on one place of the table. The result does not depend on it.
-  std::uint64_t seed_ = std::random_device()();
+  int shift_ = 0;
+  // Drawn anew every time, so that nobody can write a file whose vertices all fall on one place of the table. The result
+  // does not depend on them.
+  std::array<std::uint64_t, 7> multipliers_ = [] {
+    std::random_device random;
+    std::array<std::uint64_t, 7> drawn{};
+    for (auto& number : drawn) number = std::uint64_t{random()} << 32 | random();
+    return drawn;
+  }();
 };
 
 class Triangles {
@@ -81,10 +111,11 @@ class Triangles {
   void reserve(std::int64_t count) {
     require_numbers(count);
     reserve_large(ids_, static_cast<std::size_t>(count) * 3);
+    weld_.reserve(count);
   }
-  void add_corner(const std::array<double, 3>& position) {
-    if (ids_.size() >= most_corners) require_numbers(static_cast<std::int64_t>(most_corners));
-    ids_.push_back(weld_.vertex(position));
+  void add_corners(std::span<const Position> positions) {
+    if (ids_.size() + positions.size() > most_corners) require_numbers(static_cast<std::int64_t>(most_corners));
+    weld_.vertices(positions, ids_);
   }
   [[nodiscard]] Index size() const {
     const auto count = static_cast<std::int64_t>(ids_.size() / 3);
@@ -128,18 +159,23 @@ MeshData read_binary(Cursor& file) {
   }
   Triangles triangles(file);
   triangles.reserve(count);
+  std::array<Position, Weld::most_at_once> corners{};
+  std::size_t known = 0;
   for (std::int64_t i = 0; i < count; ++i) {
     const char* at = file.bytes(triangle_bytes, "a triangle").data() + 12;  // behind the normal
     for (int corner = 0; corner < 3; ++corner, at += 12) {
-      const std::array<double, 3> position{load_number<float>(at, swap), load_number<float>(at + 4, swap),
-                                           load_number<float>(at + 8, swap)};
+      const Position position{load_number<float>(at, swap), load_number<float>(at + 4, swap),
+                              load_number<float>(at + 8, swap)};
       if (!std::isfinite(position[0]) || !std::isfinite(position[1]) || !std::isfinite(position[2])) {
         file.rewind(header_bytes + i * triangle_bytes + 12 + 12 * corner);
         file.fail(text("a corner of triangle ", i, " is at (", position[0], ", ", position[1], ", ", position[2],
                        "); expected finite coordinates"));
       }
-      triangles.add_corner(position);
+      corners[known++] = position;
     }
+    if (known < corners.size() && i + 1 < count) continue;
+    triangles.add_corners(std::span(corners).first(known));
+    known = 0;
   }
   return std::move(triangles).finish();
 }
@@ -177,13 +213,13 @@ void read_facet(Cursor& file, Triangles& triangles) {
   demand(file, "outer");
   demand(file, "loop");
   file.end_line();
-  for (int corner = 0; corner < 3; ++corner) {
+  std::array<Position, 3> corners{};
+  for (auto& position : corners) {
     demand(file, "vertex");
-    std::array<double, 3> position{};
     for (double& x : position) x = file.real("a coordinate");
     file.end_line();
-    triangles.add_corner(position);
   }
+  triangles.add_corners(corners);
   demand(file, "endloop");
   file.end_line();
   demand(file, "endfacet");
