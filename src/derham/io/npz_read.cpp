@@ -1,14 +1,9 @@
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
-#include "derham/io/npy.hpp"
-#include "derham/io/zip_read.hpp"
+#include "derham/io/npz_arrays.hpp"
 
-#include <charconv>
-#include <cmath>
 #include <limits>
-#include <map>
-#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,78 +13,41 @@
 namespace derham {
 namespace {
 
-using Shape = std::vector<std::int64_t>;
-
 constexpr std::int64_t most_vertices = std::numeric_limits<Index>::max() - 1;
-
-std::vector<double> reals(const NpyArray& array, bool finite, const NpyFail& fail) {
-  auto values = npy_reals(array, fail);
-  for (std::size_t i = 0; finite && i < values.size(); ++i)
-    if (!std::isfinite(values[i]))
-      fail(text("number ", i, " of the array is ", values[i], "; expected finite numbers"));
-  return values;
-}
-
-void require_integers(const NpyArray& array, const NpyFail& fail) {
-  if (!array.is_integer()) fail(text("the array has the type ", array.kind, array.item_bytes, "; expected integers"));
-}
-
-void require_shape(const NpyArray& array, const Shape& shape, const char* why, const NpyFail& fail) {
-  if (array.shape == shape) return;
-  NpyArray expected;
-  expected.shape = shape;
-  fail(text("the array has the shape ", array.shape_text(), "; expected ", expected.shape_text(), why));
-}
 
 class Reader {
  public:
-  explicit Reader(Cursor& file) : archive_(file), file_name_(file.name()) {
-    for (const auto& entry : archive_.entries())
-      if (entry.name.ends_with(".npy"))
-        arrays_.emplace(entry.name.substr(0, entry.name.size() - 4), &entry);
-      else
-        mesh_.notes.push_back(text("skipped the entry ", quoted_token(entry.name), ": no array"));
+  explicit Reader(Cursor& file) : arrays_(file), file_name_(file.name()) {
+    for (const auto& name : arrays_.others())
+      mesh_.notes.push_back(text("skipped the entry ", quoted_token(name), ": no array"));
   }
 
   MeshData read() && {
     if (!arrays_.contains("simplices"))
-      archive_.fail(0, "there is no array called simplices; expected one of shape (rows, n+1)");
+      arrays_.fail("there is no array called simplices; expected one of shape (rows, n+1)");
     read_vertices();
-    with("simplices", [&](const NpyArray& array, const NpyFail& fail) { mesh_.simplices = rows(array, -1, fail); });
+    arrays_.with("simplices",
+                 [&](const NpyArray& array, const NpyFail& fail) { mesh_.simplices = rows(array, -1, fail); });
     if (mesh_.vertex_count < 0) mesh_.vertex_count = mesh_.simplices.vertex_bound();
     rows_ = mesh_.simplices.size();
     read_metric();
     read_tags();
     read_lower();
     read_parts();
-    for (const auto& entry : archive_.entries()) read_named(entry);
+    for (const auto name : arrays_.unused()) read_named(name);
     return std::move(mesh_);
   }
 
  private:
-  // Calls action(array, fail) if there is an array of that name.
-  template <class Action>
-  void with(std::string_view name, Action action) {
-    const auto found = arrays_.find(name);
-    if (found == arrays_.end()) return;
-    const auto& entry = *found->second;
-    used_.insert(name);
-    std::unique_ptr<char[]> unpacked;
-    const NpyFail fail = [&](const std::string& message) {
-      archive_.fail(entry.data, text(quoted_token(entry.name), ": ", message));
-    };
-    action(parse_npy(archive_.contents(entry, unpacked), fail), fail);
-  }
-
   // Number of vertices: of the positions, or said, or (-1) as many as the rows name.
   void read_vertices() {
     mesh_.vertex_count = -1;
-    with("vertex_count", [&](const NpyArray& array, const NpyFail& fail) {
+    arrays_.with("vertex_count", [&](const NpyArray& array, const NpyFail& fail) {
       require_integers(array, fail);
       require_shape(array, {}, "", fail);
       mesh_.vertex_count = npy_ids(array, most_vertices + 1, "the number of vertices", fail)[0];
     });
-    with("points", [&](const NpyArray& array, const NpyFail& fail) {
+    arrays_.with("points", [&](const NpyArray& array, const NpyFail& fail) {
       if (array.shape.size() != 2 || array.shape[1] < 1 || array.shape[1] > max_dimension)
         fail(text("the array has the shape ", array.shape_text(), "; expected (vertices, m) with m from 1 to ",
                   max_dimension));
@@ -100,7 +58,7 @@ class Reader {
             text(file_name_, ": more vertices than this build's index type can number; build with DERHAM_INDEX64"));
       mesh_.vertex_count = static_cast<Index>(array.shape[0]);
       mesh_.ambient_dimension = static_cast<int>(array.shape[1]);
-      mesh_.points = reals(array, true, fail);
+      mesh_.points = npz_reals(array, true, fail);
     });
   }
 
@@ -121,7 +79,7 @@ class Reader {
   }
 
   void read_metric() {
-    with("corners", [&](const NpyArray& array, const NpyFail& fail) {
+    arrays_.with("corners", [&](const NpyArray& array, const NpyFail& fail) {
       if (mesh_.has_points()) fail("there are both points and corners; expected one of them");
       const auto m = array.shape.size() == 3 ? array.shape[2] : 0;
       if (m < 1 || m > max_dimension)
@@ -129,17 +87,17 @@ class Reader {
                   max_dimension));
       require_shape(array, {rows_, mesh_.simplices.dimension() + 1, m}, ", a position for every corner", fail);
       mesh_.ambient_dimension = static_cast<int>(m);
-      mesh_.corners = reals(array, true, fail);
+      mesh_.corners = npz_reals(array, true, fail);
     });
-    with("edge_lengths_squared", [&](const NpyArray& array, const NpyFail& fail) {
+    arrays_.with("edge_lengths_squared", [&](const NpyArray& array, const NpyFail& fail) {
       require_shape(array, {array.shape.empty() ? 0 : array.shape[0]}, ", a number for every edge", fail);
-      mesh_.edge_lengths_squared = reals(array, true, fail);
+      mesh_.edge_lengths_squared = npz_reals(array, true, fail);
     });
   }
 
   void read_tags() {
     const auto tags = [&](const char* name, std::int64_t count, std::vector<std::int64_t>& out) {
-      with(name, [&](const NpyArray& array, const NpyFail& fail) {
+      arrays_.with(name, [&](const NpyArray& array, const NpyFail& fail) {
         require_integers(array, fail);
         require_shape(array, {count}, "", fail);
         out = npy_integers(array);
@@ -151,7 +109,7 @@ class Reader {
 
   void read_lower() {
     for (int k = 0; k < mesh_.simplices.dimension(); ++k)
-      with(lower_names[static_cast<std::size_t>(k)], [&](const NpyArray& array, const NpyFail& fail) {
+      arrays_.with(lower_names[static_cast<std::size_t>(k)], [&](const NpyArray& array, const NpyFail& fail) {
         auto list = rows(array, k, fail);
         if (list.empty()) return;
         mesh_.lower.resize(static_cast<std::size_t>(k) + 1);
@@ -160,7 +118,7 @@ class Reader {
   }
 
   void read_parts() {
-    with("part_numbers", [&](const NpyArray& array, const NpyFail& fail) {
+    arrays_.with("part_numbers", [&](const NpyArray& array, const NpyFail& fail) {
       require_integers(array, fail);
       require_shape(array, {array.shape.empty() ? 0 : array.shape[0]}, "", fail);
       for (const auto number : npy_integers(array)) mesh_.parts.push_back({{}, number, 0, {}});
@@ -168,8 +126,8 @@ class Reader {
     const auto count = static_cast<std::int64_t>(mesh_.parts.size());
     if (count == 0) return;
     for (const auto* name : {"part_degrees", "part_offsets", "part_members"})
-      if (!arrays_.contains(name)) archive_.fail(0, text("there is part_numbers, but no array called ", name));
-    with("part_degrees", [&](const NpyArray& array, const NpyFail& fail) {
+      if (!arrays_.contains(name)) arrays_.fail(text("there is part_numbers, but no array called ", name));
+    arrays_.with("part_degrees", [&](const NpyArray& array, const NpyFail& fail) {
       require_integers(array, fail);
       require_shape(array, {count}, " as part_numbers has", fail);
       const auto degrees = npy_ids(array, mesh_.simplices.dimension() + 1, "a degree", fail);
@@ -181,23 +139,23 @@ class Reader {
       }
     });
     std::vector<std::int64_t> offsets;
-    with("part_offsets", [&](const NpyArray& array, const NpyFail& fail) {
+    arrays_.with("part_offsets", [&](const NpyArray& array, const NpyFail& fail) {
       require_integers(array, fail);
       require_shape(array, {count + 1}, ", one more than part_numbers has", fail);
       offsets = npy_integers(array);
       if (offsets[0] != 0 || !std::ranges::is_sorted(offsets)) fail("the offsets do not increase from 0");
     });
-    with("part_members", [&](const NpyArray& array, const NpyFail& fail) {
+    arrays_.with("part_members", [&](const NpyArray& array, const NpyFail& fail) {
       require_integers(array, fail);
       require_shape(array, {offsets.back()}, " as part_offsets ends", fail);
       const auto members = npy_ids(array, most_vertices, "a member of a part", fail);
       for (std::size_t i = 0; i < mesh_.parts.size(); ++i) take_members(i, offsets, members, fail);
     });
-    with("part_names", [&](const NpyArray& array, const NpyFail& fail) {
+    arrays_.with("part_names", [&](const NpyArray& array, const NpyFail& fail) {
       if (array.kind != 'S' && array.kind != 'U')
         fail(text("the array has the type ", array.kind, array.item_bytes, "; expected text"));
       require_shape(array, {count}, " as part_numbers has", fail);
-      for (std::size_t i = 0; i < mesh_.parts.size(); ++i) mesh_.parts[i].name = item_text(array, i, fail);
+      for (std::size_t i = 0; i < mesh_.parts.size(); ++i) mesh_.parts[i].name = npz_text(array, i, fail);
     });
   }
 
@@ -219,42 +177,8 @@ class Reader {
     }
   }
 
-  // An entry of an array of texts; numpy fills them up with zeros. Text of numpy is UTF-32, ours UTF-8.
-  static std::string item_text(const NpyArray& array, std::size_t i, const NpyFail& fail) {
-    const auto width = static_cast<std::size_t>(array.item_bytes);
-    auto item = array.data.substr(i * width, width);
-    std::string out;
-    if (array.kind == 'S') {
-      while (!item.empty() && item.back() == '\0') item.remove_suffix(1);
-      return std::string(item);
-    }
-    for (; item.size() >= 4; item.remove_prefix(4)) {
-      const auto code = load_number<std::uint32_t>(item.data(), array.swap);
-      if (code > 0x10ffff) fail(text("a text has the character ", code, "; expected at most 1114111"));
-      const auto put = [&](std::uint32_t byte) { out += static_cast<char>(byte); };
-      if (code < 0x80) {
-        put(code);
-        continue;
-      }
-      if (code >= 0x10000)
-        put(0xf0 | code >> 18);
-      else if (code >= 0x800)
-        put(0xe0 | code >> 12);
-      else
-        put(0xc0 | code >> 6);
-      if (code >= 0x10000) put(0x80 | (code >> 12 & 0x3f));
-      if (code >= 0x800) put(0x80 | (code >> 6 & 0x3f));
-      put(0x80 | (code & 0x3f));
-    }
-    while (!out.empty() && out.back() == '\0') out.pop_back();
-    return out;
-  }
-
   // Fields and forms, whose names say what they are; the rest is skipped.
-  void read_named(const ZipArchive::Entry& entry) {
-    if (!entry.name.ends_with(".npy")) return;
-    const auto name = entry.name.substr(0, entry.name.size() - 4);
-    if (used_.contains(name)) return;
+  void read_named(std::string_view name) {
     if (name.starts_with("point_data_")) return read_field(name, 11, MeshField::On::vertices, mesh_.vertex_count);
     if (name.starts_with("row_data_")) return read_field(name, 9, MeshField::On::rows, rows_);
     if (name.starts_with("form_") && read_form(name)) return;
@@ -262,7 +186,7 @@ class Reader {
   }
 
   void read_field(std::string_view name, std::size_t prefix, MeshField::On on, std::int64_t items) {
-    with(name, [&](const NpyArray& array, const NpyFail& fail) {
+    arrays_.with(name, [&](const NpyArray& array, const NpyFail& fail) {
       if (array.shape.empty() || array.shape.size() > 2 || array.shape[0] != items)
         fail(text("the array has the shape ", array.shape_text(), "; expected (", items, ",) or (", items,
                   ", components)"));
@@ -271,7 +195,7 @@ class Reader {
       if (components < 1 || components > most)
         fail(text("the array has ", components, " components; expected 1 to ", most));
       mesh_.fields.push_back(
-          {std::string(name.substr(prefix)), on, static_cast<int>(components), reals(array, false, fail)});
+          {std::string(name.substr(prefix)), on, static_cast<int>(components), npz_reals(array, false, fail)});
     });
   }
 
@@ -290,9 +214,9 @@ class Reader {
       return false;
     form.degree = rest.back() - '0';
     form.name = rest.substr(0, degree);
-    with(name, [&](const NpyArray& array, const NpyFail& fail) {
+    arrays_.with(name, [&](const NpyArray& array, const NpyFail& fail) {
       require_shape(array, {array.shape.empty() ? 0 : array.shape[0]}, ", a number for every simplex", fail);
-      form.values = reals(array, false, fail);
+      form.values = npz_reals(array, false, fail);
     });
     mesh_.forms.push_back(std::move(form));
     return true;
@@ -300,10 +224,8 @@ class Reader {
 
   static constexpr std::string_view lower_names[] = {"lower_0", "lower_1", "lower_2", "lower_3", "lower_4", "lower_5"};
 
-  ZipArchive archive_;
+  NpzArrays arrays_;
   std::string file_name_;
-  std::map<std::string_view, const ZipArchive::Entry*> arrays_;
-  std::set<std::string_view> used_;
   MeshData mesh_;
   Offset rows_ = 0;
 };

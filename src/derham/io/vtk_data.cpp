@@ -120,7 +120,7 @@ class DataReader {
   bool read_attribute(const std::string& keyword, Offset items, Take take) {
     struct Attribute {
       std::string_view name;
-      int components;  // 0: given
+      int components = 0;  // 0: given
     };
     constexpr std::array attributes{
         Attribute{"scalars", 1},    Attribute{"vectors", 3},      Attribute{"normals", 3},
