@@ -32,11 +32,12 @@ class Weld {
 
   explicit Weld(MeshData& mesh) : mesh_(mesh) { resize(64); }
 
-  // Room for as many vertices as a closed surface of so many triangles has.
+  // Room for as many vertices as a closed surface of so many triangles has, half as many. Most of the table stays empty:
+  // then few corners are compared with vertices other than their own.
   void reserve(std::int64_t triangles) {
     const auto count = static_cast<std::size_t>(triangles);
     reserve_large(mesh_.points, count / 2 * 3);
-    resize(std::bit_ceil(std::max<std::size_t>(count, 64)));
+    resize(std::bit_ceil(2 * std::max<std::size_t>(count, 64)));
   }
 
   // The vertices at these positions. Their places in the table are far apart and not in the cache: all are asked for
@@ -161,8 +162,9 @@ MeshData read_binary(Cursor& file) {
   triangles.reserve(count);
   std::array<Position, Weld::most_at_once> corners{};
   std::size_t known = 0;
-  for (std::int64_t i = 0; i < count; ++i) {
-    const char* at = file.bytes(triangle_bytes, "a triangle").data() + 12;  // behind the normal
+  const char* triangle = file.bytes(count * triangle_bytes, "the triangles").data();
+  for (std::int64_t i = 0; i < count; ++i, triangle += triangle_bytes) {
+    const char* at = triangle + 12;  // behind the normal
     for (int corner = 0; corner < 3; ++corner, at += 12) {
       const Position position{load_number<float>(at, swap), load_number<float>(at + 4, swap),
                               load_number<float>(at + 8, swap)};
