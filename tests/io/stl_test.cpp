@@ -3,8 +3,11 @@
 #include "derham/io/write_mesh.hpp"
 #include "io/io_fixture.hpp"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace derham::io_test {
@@ -51,6 +54,41 @@ TEST(Stl, ZerosOfEitherSignAreOnePlace) {
 
 TEST(Stl, NearlyEqualPositionsAreTwo) {
   EXPECT_EQ(read(replaced(stl_ascii_sample, "vertex 0 0 0", "vertex 1e-300 0 0")).vertex_count, 5);
+}
+
+// Corners are looked up many at a time in a table that begins with room for a closed surface: here with two triangles
+// for every vertex, then with three vertices for every triangle. The last lookup is of fewer.
+TEST(Stl, WeldsManyCorners) {
+  if constexpr (std::endian::native != std::endian::little)
+    GTEST_SKIP() << "the test writes in the order of this machine";
+  constexpr Index cells = 31;
+  for (const bool is_connected : {true, false}) {
+    std::vector<double> positions;
+    for (Index cell = 0; cell < cells * cells; ++cell)
+      for (const auto& [dx, dy] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
+        const auto number = static_cast<Index>(positions.size() / 3);
+        for (const Index x : {cell % cells + dx, cell / cells + dy, is_connected ? 0 : number})
+          positions.push_back(static_cast<double>(x));
+      }
+    const auto rows = positions.size() / 9;
+    std::string bytes(80, ' ');
+    const auto put = [&bytes](auto number) { bytes.append(reinterpret_cast<const char*>(&number), sizeof number); };
+    put(static_cast<std::uint32_t>(rows));
+    for (std::size_t row = 0; row < rows; ++row) {
+      bytes.append(12, '\0');
+      for (std::size_t i = 0; i < 9; ++i) put(static_cast<float>(positions[9 * row + i]));
+      bytes.append(2, '\0');
+    }
+    const auto mesh = read(bytes);
+    ASSERT_EQ(mesh.simplices.size(), static_cast<Offset>(rows));
+    EXPECT_EQ(mesh.vertex_count, is_connected ? (cells + 1) * (cells + 1) : static_cast<Index>(3 * rows));
+    ASSERT_EQ(mesh.points.size(), 3 * static_cast<std::size_t>(mesh.vertex_count));
+    std::vector<double> found;
+    for (const Index v : mesh.simplices.vertices())
+      found.insert(found.end(), &mesh.points[3 * static_cast<std::size_t>(v)],
+                   &mesh.points[3 * static_cast<std::size_t>(v)] + 3);
+    EXPECT_EQ(found, positions);
+  }
 }
 
 TEST(Stl, FlatTrianglesKeepTheirRows) {
