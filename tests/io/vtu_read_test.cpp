@@ -38,9 +38,11 @@ TEST(VtuRead, ReadsEveryEncoding) {
 TEST(VtuRead, ElementsInsideArraysAndStringsAreNoNumbers) {
   const auto mesh = read(replaced(vtu_ascii_sample, "0 1 2 nan 4</DataArray>",
                                   "0 1 2 nan 4 <InformationKey name=\"a\">7</InformationKey></DataArray>"
-                                  "<Array type=\"String\" Name=\"s\">1 2</Array>"));
+                                  "<Array type=\"String\" Name=\"s\">1 2</Array>"
+                                  "<DataArray type=\"Bit\" Name=\"b\" format=\"ascii\">1 0 1 1 0</DataArray>"));
   expect_sample(mesh);
   EXPECT_EQ(mesh.notes[0], "'Array' 's' is not kept");
+  EXPECT_EQ(mesh.notes[1], "'DataArray' 'b' is not kept");
 }
 
 TEST(VtuRead, IntegersOfTextAreIntegersOfTheirType) {

@@ -57,9 +57,6 @@ void write_fields(TextWriter& file, NumberWriter numbers, const MeshData& mesh, 
   file.put("\nFIELD FieldData ").put(count).put('\n');
   for (const auto& field : mesh.fields) {
     if (field.on != on) continue;
-    if (field.components < 1 || static_cast<Offset>(field.values.size()) != items * field.components)
-      throw InputError(text("field '", field.name, "' has ", field.values.size(), " values; expected ", items,
-                            " times ", field.components));
     file.put(encoded_name(field.name)).put(' ').put(field.components).put(' ').put(items + lower).put(" double\n");
     const auto width = static_cast<std::size_t>(field.components);
     for (std::size_t i = 0; i < field.values.size(); ++i) numbers.put(field.values[i], (i + 1) % width == 0);

@@ -112,8 +112,8 @@ class VtuReader {
   void read_fields(const xml_node& data, MeshField::On on, Offset items) {
     for (const auto array : data.children()) {
       const std::string_view name = array.attribute("Name").value();
-      if (std::string_view(array.name()) != "DataArray" ||
-          std::string_view(array.attribute("type").value()) == "String") {
+      const std::string_view type = array.attribute("type").value();
+      if (std::string_view(array.name()) != "DataArray" || type == "String" || type == "Bit") {
         mesh_.notes.push_back(text(quoted_token(array.name()), " ", quoted_token(name), " is not kept"));
         continue;
       }
