@@ -77,9 +77,20 @@ TEST(GmshFields, OnLowerSimplicesAloneAreDropped) {
   EXPECT_EQ(mesh.notes, (std::vector<std::string>{"field 'T': dropped 1 values on simplices of lower dimension"}));
 }
 
+TEST(GmshFields, OfSomeNodesOrRowsAreDroppedByName) {
+  const auto mesh =
+      read(mesh_22 + node_data("1\n\"T\"\n0\n3\n0\n1\n2\n1 1\n2 2\n") +
+           node_data("1\n\"U\"\n0\n3\n0\n1\n3\n1 1\n2 2\n3 4\n") + element_data("1\n\"V\"\n0\n3\n0\n1\n2\n1 1\n2 2\n") +
+           element_data("1\n\"W\"\n0\n3\n0\n1\n0\n"));
+  EXPECT_EQ(mesh.fields, (std::vector<MeshField>{{"U", MeshField::On::vertices, 1, {1, 2, 4}}}));
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{"field 'T' has values for 2 of 3 nodes: not kept",
+                                      "field 'V': dropped 1 values on simplices of lower dimension",
+                                      "field 'V' has values for 1 of 2 simplices of the highest dimension: not kept",
+                                      "field 'W' has values for 0 of 2 simplices of the highest dimension: not kept"}));
+}
+
 TEST(GmshFields, RefusesDamage) {
-  refused(node_data("1\n\"T\"\n0\n3\n0\n1\n2\n1 1\n2 2\n"), 1, "field 'T' has values for 2 of 3 nodes; expected all");
-  refused(element_data("1\n\"T\"\n0\n3\n0\n1\n2\n1 1\n2 2\n"), 1, "'T' has values for 1 of 2 simplices");
   refused(node_data("1\n\"T\"\n0\n3\n0\n1\n3\n1 1\n2 2\n1 2\n"), 11, "number 1 has two values in field 'T'");
   refused(node_data("1\n\"T\"\n0\n3\n0\n1\n3\n1 1\n2 2\n4 2\n"), 11, "node number 4 is not among");
   refused(element_data("1\n\"T\"\n0\n3\n0\n1\n2\n1 1\n3 2\n"), 10, "element number 3 is not among");

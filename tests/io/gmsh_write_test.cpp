@@ -76,6 +76,55 @@ TEST(WriteGmsh, EverythingReadsBack) {
     }
 }
 
+TEST(WriteGmsh, SaysWhatIsLost) {
+  MeshData mesh;
+  mesh.vertex_count = 3;
+  mesh.ambient_dimension = 2;
+  mesh.points = {0, 0, 1, 0, 0, 1};
+  mesh.simplices = SimplexList{{0, 1, 2}};
+  mesh.vertex_tags = {1, 2, 3};
+  mesh.row_tags = {2};
+  mesh.parts = {{"", 4, 2, {0}}, {"", 5, 2, {0}}, {"", 6, 2, {}}, {"", 0, 0, {1, 2}}};
+  mesh.fields = {{"v", MeshField::On::rows, 2, {1.5, 2}}};
+  const auto lost = not_carried(mesh, MeshFormat::gmsh);
+  EXPECT_EQ(lost,
+            (std::vector<std::string>{
+                "format gmsh holds positions in space: written with z = 0, read back into the plane by --planar "
+                "(ReadOptions::planar)",
+                "format gmsh does not hold the numbers of rows (row_tags), only their order",
+                "format gmsh does not hold parts without members (1) that have no name",
+                "format gmsh numbers the parts of a dimension from 1 to 2147483647, none twice: 1 get other numbers",
+                "format gmsh holds fields of 1, 3 or 9 components: 1 are padded with zeros",
+                "format gmsh holds parts of vertices as points: 2 are added to the simplices of dimension 0",
+                "format gmsh 2.2 lists simplices in several parts (1) once for each, which others may take for "
+                "copies; 4.1 does not (--gmsh-version 4.1, WriteOptions::gmsh_41)"}));
+  EXPECT_EQ(not_carried(mesh, MeshFormat::gmsh, {.gmsh_41 = true}).size(), lost.size() - 1);
+}
+
+TEST(WriteGmsh, PartsInFormat41AreAsManyAsTheReaderTakes) {
+  const TemporaryDirectory directory;
+  const auto in_parts = [](int rows, int parts) {
+    MeshData mesh;
+    mesh.vertex_count = 2;
+    mesh.ambient_dimension = 3;
+    mesh.points.resize(6, 0.5);
+    std::vector<Index> ids, all;
+    for (int i = 0; i < rows; ++i) {
+      ids.insert(ids.end(), {0, 1});
+      all.push_back(static_cast<Index>(i));
+    }
+    mesh.simplices = SimplexList(1, ids);
+    for (int p = 1; p <= parts; ++p) mesh.parts.push_back({"", p, 1, all});
+    return mesh;
+  };
+  const auto mesh = in_parts(50, 100);
+  write_mesh(directory / "a.msh", mesh, MeshFormat::gmsh, {.gmsh_41 = true});
+  EXPECT_EQ(read_mesh(directory / "a.msh").parts, mesh.parts);
+  EXPECT_THROW(write_mesh(directory / "b.msh", in_parts(200, 200), MeshFormat::gmsh, {.gmsh_41 = true}), InputError);
+  write_mesh(directory / "b.msh", in_parts(200, 200), MeshFormat::gmsh);
+  EXPECT_EQ(read_mesh(directory / "b.msh").parts.size(), 200U);
+}
+
 TEST(WriteGmsh, IsExactlyThis) {
   const TemporaryDirectory directory;
   MeshData mesh;

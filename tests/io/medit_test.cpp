@@ -66,6 +66,27 @@ TEST(Medit, SplitsQuadrilateralsOnlyWhenAsked) {
   EXPECT_EQ(mesh.notes, (std::vector<std::string>{"split 1 quadrilaterals into 2 triangles"}));
 }
 
+TEST(Medit, SectionsOfOneKindAreOne) {
+  const auto mesh = read(square + "Triangles\n1\n1 2 3 7\nEdges\n1\n1 2 0\nTriangles 2\n1 3 4 7 4 3 2 0\nEnd\n");
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2}, {0, 2, 3}, {3, 2, 1}}));
+  EXPECT_EQ(mesh.parts, (std::vector<MeshPart>{{"", 7, 2, {0, 1}}}));
+  EXPECT_TRUE(mesh.notes.empty());
+}
+
+TEST(Medit, KeepsCornerNodesOnlyWhenAsked) {
+  const std::string quadratic = head + "Vertices\n7\n0 0 0\n.5 0 4\n1 0 0\n1 1 3\n.5 .5 0\n0 .5 0\n9 9 0\n" +
+                                "TrianglesP2\n1\n1 3 4 2 5 6 8\nEdgesP2\n1\n1 3 2 0\nEdges\n1\n2 3 0\nEnd\n";
+  const auto mesh = read(quadratic, {.corner_nodes = true});
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2}}));
+  EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 1, 0, 1, 1}));
+  EXPECT_EQ(mesh.vertex_tags, (std::vector<std::int64_t>{0, 2, 3}));
+  EXPECT_EQ(mesh.parts, (std::vector<MeshPart>{{"", 8, 2, {0}}, {"", 3, 0, {2}}, {"", 4, 0, {}}}));
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{
+                "with the unused vertices went 1 simplices of lower dimension and 1 members of parts",
+                "kept the corner nodes of 2 elements of higher order; dropped 4 nodes that no simplex uses"}));
+}
+
 TEST(Medit, WritesWhatItReads) {
   const TemporaryDirectory directory;
   auto mesh = read(medit_sample);
@@ -105,10 +126,14 @@ TEST(Medit, RefusesDamage) {
   refused(square + "Triangles\n1\n0 1 2 0\n", 11, "a vertex number is 0, expected 1 to 4");
   refused(square + "Triangles\n2\n1 2 3 0\n# and no more\n", 12, "the file ends after 1 of 2 triangles");
   refused(square + "Triangles\n1\n1 2 3 0\n4 3 2 0\n", 12, "'4', expected a keyword");
-  refused(square + "Triangles\n1\n1 2 3 0\nTriangles\n0\n", 12, "a second section 'Triangles'");
+  refused(square + "Corners\n1\n1\nCorners\n0\n", 12, "a second section 'Corners'");
+  refused(square + "Vertices\n0\n", 9, "a second section 'Vertices'");
   refused(square + "Triangles\n1\n1 2 3 0\nEnd\n1\n", 13, "'1', expected the end of the file");
   refused(square + "Hexahedra\n1\n", 9, "the file has Hexahedra");
-  refused(square + "TrianglesP2\n1\n", 9, "first order");
+  refused(square + "PrismsP2\n1\n", 9, "first order");
+  refused(square + "TrianglesP2\n1\n1 2 3 1 2 3 0\n", 9,
+          "the file has 1 TrianglesP2; expected simplices of first order, or "
+          "keep only the corner nodes (--corner-nodes, ReadOptions::corner_nodes)");
   refused(square + "Corners\n2\n1\nTriangles\n0\n", 12, "'Triangles', expected a number");
   refused(square + "Corners\n9000000000\n1\n", 10, "cannot hold so many");
   refused(square + "SubDomainFromMesh\n2\n1 2 3\n", 11, "3 numbers in 2 records of the section SubDomainFromMesh");

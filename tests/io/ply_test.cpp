@@ -205,6 +205,8 @@ TEST(Ply, SaysWhichNamesItCannotHold) {
   EXPECT_EQ(
       not_carried(mesh, MeshFormat::ply),
       (std::vector<std::string>{
+          "format ply holds positions in space: written with z = 0, read back into the plane by --planar "
+          "(ReadOptions::planar)",
           "format ply does not hold the name of the field 'x': it becomes 'x_'",
           "format ply does not hold the 2 components of the field 'a vector' together: they become 'a_vector_0' to "
           "'a_vector_1'",

@@ -4,7 +4,10 @@
 #include "io/sample_files.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace derham::io_test {
@@ -173,6 +176,85 @@ TEST(Tetgen, FacesBesideTrianglesAreNotRead) {
   EXPECT_TRUE(mesh.lower.empty());
   ASSERT_EQ(mesh.notes.size(), 1u);
   EXPECT_NE(mesh.notes[0].find("a.face is not read"), std::string::npos);
+}
+
+TEST(Tetgen, RegionsAreExact) {
+  const auto numbers = [](const std::string& attribute) {
+    std::vector<std::int64_t> out;
+    for (const auto& part : read(square + "1 3 1\n0 0 1 2 " + attribute + "\n").parts) out.push_back(part.number);
+    return out;
+  };
+  EXPECT_EQ(numbers("9007199254740993"), (std::vector<std::int64_t>{9007199254740993}));
+  EXPECT_EQ(numbers("-9223372036854775808"), (std::vector<std::int64_t>{std::numeric_limits<std::int64_t>::min()}));
+  EXPECT_EQ(numbers("+3.0"), (std::vector<std::int64_t>{3}));
+  EXPECT_EQ(numbers("1e3"), (std::vector<std::int64_t>{1000}));
+  for (const auto* real : {"9223372036854775808", "1e17", "-0", "0.5", "inf"}) {
+    EXPECT_TRUE(numbers(real).empty()) << real;
+    EXPECT_EQ(read(square + "1 3 1\n0 0 1 2 " + real + "\n").fields.size(), 1u) << real;
+  }
+  // One that is none makes all of them a field.
+  const auto mixed = read(square + "2 3 1\n0 0 1 2 9007199254740993\n1 0 2 3 .5\n");
+  EXPECT_TRUE(mixed.parts.empty());
+  EXPECT_EQ(mixed.fields.at(0).values, (std::vector<double>{9007199254740992, 0.5}));
+  refused(square + "1 3 1\n0 0 1 2 x\n", 7, "'x', expected a number as an attribute");
+  refused(square + "1 3 1\n0 0 1 2\n", 7, "the end of the line");
+}
+
+TEST(Tetgen, SaysThatIntegersOnRowsBecomeParts) {
+  auto mesh = read(square + "2 3 0\n0 0 1 2\n1 0 2 3\n");
+  mesh.fields = {{"attribute 1", MeshField::On::rows, 1, {1, 2}}};
+  EXPECT_EQ(not_carried(mesh, MeshFormat::tetgen),
+            (std::vector<std::string>{
+                "format tetgen holds a single field of integers on the rows ('attribute 1') as regions: it reads back "
+                "as parts"}));
+  mesh.fields[0].values[1] = 0.5;
+  EXPECT_TRUE(not_carried(mesh, MeshFormat::tetgen).empty());
+}
+
+TEST(Tetgen, KeepsCornerNodesOnlyWhenAsked) {
+  const std::string nodes = "7 2 0 1\n1 0 0 0\n2 1 0 0\n3 0 1 5\n4 .5 .5 0\n5 0 .5 6\n6 .5 0 0\n7 9 9 0\n";
+  refused(nodes + "1 6\n1 1 2 3 4 5 6\n", 9, "keep only the corner nodes (--corner-nodes, ReadOptions::corner_nodes)");
+  const auto mesh =
+      read_mesh_from_memory(nodes + "1 6 1\n1 1 2 3 4 5 6 8\n", MeshFormat::tetgen, "mesh", {.corner_nodes = true});
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2}}));
+  EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 1, 0, 0, 1}));
+  EXPECT_EQ(mesh.parts, (std::vector<MeshPart>{{"", 8, 2, {0}}, {"", 5, 0, {2}}, {"", 6, 0, {}}}));
+  EXPECT_EQ(mesh.notes.back(),
+            "kept the corner nodes of 1 elements of higher order; dropped 4 nodes that no simplex uses");
+  EXPECT_THROW(
+      (void)read_mesh_from_memory(nodes + "1 6\n1 1 2 3 4 5 8\n", MeshFormat::tetgen, "mesh", {.corner_nodes = true}),
+      FileError);
+}
+
+TEST(Tetgen, ReadsQuadraticFacesAndEdgesBesideTheMesh) {
+  const TemporaryDirectory directory;
+  std::string nodes = "10 3\n";
+  for (int i = 0; i < 10; ++i)
+    nodes += std::to_string(i) + ' ' + std::to_string(i % 3) + ' ' + std::to_string(i % 2) + " 1\n";
+  write_bytes(directory / "a.node", nodes);
+  write_bytes(directory / "a.ele", "1 10\n0 0 1 2 3 4 5 6 7 8 9\n");
+  for (const auto* face : {"1 1\n0 0 1 2 4 5 6 7\n", "1 1\n0 0 1 2 4 5 6 7 0 -1\n"}) {
+    write_bytes(directory / "a.face", face);
+    write_bytes(directory / "a.edge", "1 1\n0 3 1 9 4\n");
+    const auto mesh = read_mesh(directory / "a.node", {}, {.corner_nodes = true});
+    EXPECT_EQ(mesh.lower, (std::vector<SimplexList>{{}, SimplexList{{3, 1}}, SimplexList{{0, 1, 2}}}));
+    EXPECT_EQ(mesh.parts, (std::vector<MeshPart>{{"", 7, 2, {0}}, {"", 4, 1, {0}}}));
+  }
+  EXPECT_THROW((void)read_mesh(directory / "a.node"), FileError);
+}
+
+TEST(Tetgen, FilesOfAPairHaveTheSameLetterCase) {
+  const TemporaryDirectory directory;
+  const auto mesh = read(square + "1 3 0\n0 0 1 2\n");
+  for (const auto& [node, ele] :
+       {std::pair("a.NODE", "a.ELE"), std::pair("B.Node", "B.Ele"), std::pair("c.node", "c.ele")}) {
+    write_mesh(directory / ele, mesh);
+    EXPECT_EQ(read_mesh(directory / node).simplices, mesh.simplices);
+    EXPECT_EQ(read_mesh(directory / ele).simplices, mesh.simplices);
+  }
+  EXPECT_EQ(directory.file_count(), 6);
+  write_mesh(directory / "d.1", mesh, MeshFormat::tetgen);
+  EXPECT_EQ(read_mesh(directory / "d.1.node").simplices, mesh.simplices);
 }
 
 TEST(Tetgen, WritesWhatItReadsAndLeavesNothingStale) {

@@ -60,7 +60,7 @@ TEST(Vtk, SplitsPolygonsAndCutsHigherOrderOnlyWhenAsked) {
   EXPECT_EQ(read(replaced(quad, "\n9", "\n8"), options).simplices, (SimplexList{{0, 1, 3}, {0, 3, 2}}));
 
   const auto quadratic = replaced(quad, "CELLS 1 5\n4 0 1 2 3", "CELLS 1 4\n3 0 1 2");
-  refused(replaced(quadratic, "\n9", "\n21"), 9, "of first order; corner_nodes");
+  refused(replaced(quadratic, "\n9", "\n21"), 9, "of first order, or keep only the corner nodes (--corner-nodes");
   options.corner_nodes = true;
   const auto corners =
       read(replaced(quadratic, "\n9", "\n21") + "POINT_DATA 5\nVECTORS v int\n1 2 3 4 5 6 7 8 9 10 11 12 13 14 15\n",

@@ -60,7 +60,7 @@ TEST(VtuRead, OfHigherOrderTheCornersAreKept) {
   auto bytes = replaced(vtu_ascii_sample, "NumberOfCells=\"3\"", "NumberOfCells=\"1\"");
   bytes = replaced(replaced(bytes, "0 1 2 3 1 2 3 4 0 1 2<", "0 1 3<"), ">4 8 11<", ">3<");
   bytes = replaced(replaced(bytes, ">10 10 5<", ">21<"), ">1 2 3 4 5 6<", ">1 2<");
-  refused(bytes, 14, "of first order; corner_nodes");
+  refused(bytes, 14, "of first order, or keep only the corner nodes (--corner-nodes");
   ReadOptions options;
   options.corner_nodes = true;
   const auto mesh = read(bytes, options);

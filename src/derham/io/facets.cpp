@@ -6,6 +6,8 @@
 #include <array>
 #include <limits>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace derham {
 
@@ -29,6 +31,12 @@ MeshData read_facets(Cursor& file, const ReadOptions&) {
   }
   mesh.vertex_count = mesh.simplices.vertex_bound();
   return mesh;
+}
+
+std::vector<std::string> lost_in_facets(const MeshData& mesh, const WriteOptions&) {
+  const auto beyond = mesh.vertex_count - mesh.simplices.vertex_bound();
+  if (beyond <= 0) return {};
+  return {text("does not hold vertices beyond the last one used (", beyond, ")")};
 }
 
 void write_facets(TextWriter& file, const MeshData& mesh, const WriteOptions&) {

@@ -6,6 +6,8 @@
 #include "derham/io/options.hpp"
 #include "derham/io/text_writer.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,7 +22,7 @@ struct TetgenFiles {
   Cursor* faces = nullptr;
   Cursor* edges = nullptr;
 };
-[[nodiscard]] MeshData read_tetgen(const TetgenFiles& files);
+[[nodiscard]] MeshData read_tetgen(const TetgenFiles& files, const ReadOptions& options);
 [[nodiscard]] MeshData read_gmsh(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_medit(Cursor& file, const ReadOptions& options);
 [[nodiscard]] MeshData read_vtk(Cursor& file, const ReadOptions& options);
@@ -49,6 +51,14 @@ void write_facets(TextWriter& file, const MeshData& mesh, const WriteOptions& op
 void write_npz(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 void write_vtu(TextWriter& file, const MeshData& mesh, const WriteOptions& options);
 
+// What each writer cannot carry, see FormatTraits::lost.
+[[nodiscard]] std::vector<std::string> lost_in_tetgen(const MeshData& mesh, const WriteOptions& options);
+[[nodiscard]] std::vector<std::string> lost_in_gmsh(const MeshData& mesh, const WriteOptions& options);
+[[nodiscard]] std::vector<std::string> lost_in_medit(const MeshData& mesh, const WriteOptions& options);
+[[nodiscard]] std::vector<std::string> lost_in_ply(const MeshData& mesh, const WriteOptions& options);
+[[nodiscard]] std::vector<std::string> lost_in_stl(const MeshData& mesh, const WriteOptions& options);
+[[nodiscard]] std::vector<std::string> lost_in_facets(const MeshData& mesh, const WriteOptions& options);
+
 /// What a format is called, how its files are found, and what they can hold.
 struct FormatTraits {
   MeshFormat format;
@@ -58,13 +68,16 @@ struct FormatTraits {
   char comment;                 ///< Cursor::no_comment if there are none, or the reader sees to them
   MeshData (*read)(Cursor&, const ReadOptions&);
   void (*write)(TextWriter&, const MeshData&, const WriteOptions&);
+  /// What a file loses of a mesh beside what the flags below say, one phrase each that goes on "format NAME …".
+  std::vector<std::string> (*lost)(const MeshData&, const WriteOptions&);
 
   int least_dimension, largest_dimension;  ///< n of the meshes it can hold
-  int least_ambient, largest_ambient;      ///< m
+  int least_ambient, largest_ambient;      ///< m of its files; positions of fewer numbers are padded with zeros
   bool holds_parts, holds_lower, holds_fields;
 };
 
-/// All formats, in the order of the enumerators. Null functions: not read, not written, or (tetgen) in several files.
+/// All formats, in the order of the enumerators. Null functions: not read, not written, or (tetgen) in several files;
+/// nothing more is lost.
 [[nodiscard]] std::span<const FormatTraits> format_table() noexcept;
 [[nodiscard]] const FormatTraits& format_traits(MeshFormat format) noexcept;
 
@@ -74,16 +87,18 @@ struct FormatTraits {
 /// Whether these are all the bytes of a binary STL file: its length fits the number of triangles it gives.
 [[nodiscard]] bool is_binary_stl(std::string_view bytes) noexcept;
 
-/// NAME.node, NAME.ele and their companions for either of the two, or for NAME itself.
+/// NAME.node, NAME.ele and their companions for either of the two, or for NAME itself. The others' extensions have the
+/// letter case of the one that is given.
 struct TetgenPaths {
   std::string node, ele, face, edge;
 };
 [[nodiscard]] TetgenPaths tetgen_paths(const std::string& path);
 
-/// What of a mesh these files cannot hold beside what the markers cannot, one phrase each.
-[[nodiscard]] std::vector<std::string> lost_in_tetgen(const MeshData& mesh);
-/// The same of a PLY file, which has names of one word for single numbers.
-[[nodiscard]] std::vector<std::string> lost_in_ply(const MeshData& mesh);
+/// How the field is called that column `number` = 1, 2… of the attributes becomes.
+[[nodiscard]] std::string tetgen_attribute_name(Offset number);
+
+/// The region that an attribute names: an integer of 64 bits, or a real number that is one of at most 53 bits.
+[[nodiscard]] std::optional<std::int64_t> tetgen_region(std::string_view attribute);
 
 /// Writes the files of a mesh: .face and .edge if there is something to write into them; else those of an older mesh are
 /// removed, for they would be read with this one.

@@ -1,6 +1,7 @@
 #include "derham/io/gmsh_elements.hpp"
 
 #include "derham/core/text.hpp"
+#include "derham/io/read_hints.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -60,8 +61,7 @@ GmshType gmsh_type(std::int64_t type, bool corner_nodes) noexcept {
 void fail_gmsh_type(const Cursor& file, std::int64_t type) {
   if (const auto found = gmsh_type(type, true); found.degree >= 0)
     file.fail(text("element type ", type, " is a ", static_cast<int>(found.degree), "-simplex of higher order with ",
-                   found.nodes,
-                   " nodes; expected first order: mesh with gmsh -order 1, or keep the corner nodes (corner_nodes)"));
+                   found.nodes, " nodes; expected first order: mesh with gmsh -order 1, or ", keep_corner_nodes));
   file.fail(text("element type ", type, " is ", other_name(type),
                  "; expected points (15), lines (1), triangles (2) or tetrahedra (4): mesh with simplices"));
 }

@@ -78,6 +78,18 @@ GmshGroups::GmshGroups(const MeshData& mesh, int degree, std::span<const std::in
   }
 }
 
+void GmshGroups::require_readable_entities() const {
+  constexpr std::int64_t element_bytes = 4, group_bytes = 2;  // at least
+  std::int64_t memberships = 0, bytes = 0;
+  for (Offset i = 0; i < size(); ++i) memberships += std::ssize(groups_of(i));
+  for (const auto& groups : groups_) bytes += group_bytes * std::ssize(groups);
+  bytes += element_bytes * size();
+  if (memberships > gmsh_memberships_per_byte * bytes)
+    throw InputError(text(size(), " simplices are in ", memberships,
+                          " parts in all, more than derham reads of a .msh 4.1 file (", gmsh_memberships_per_byte,
+                          " per byte); write format 2.2"));
+}
+
 std::vector<std::int64_t> gmsh_group_numbers(const MeshData& mesh) {
   constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
   std::vector<std::int64_t> numbers(mesh.parts.size(), 0);

@@ -9,6 +9,10 @@
 
 namespace derham {
 
+/// A file of format 4.1 may put its elements into so many physical groups in all, per byte of its size: few bytes could
+/// name many groups and have many elements in each of them.
+inline constexpr std::int64_t gmsh_memberships_per_byte = 16;
+
 /// What a .msh file lists of one degree, in order, and for each simplex in which physical groups it is. Simplices in the
 /// same groups are one entity of Gmsh.
 class GmshGroups {
@@ -27,6 +31,9 @@ class GmshGroups {
   [[nodiscard]] std::span<const std::int64_t> groups_of(Offset i) const noexcept {
     return groups_[static_cast<std::size_t>(entity(i))];
   }
+  /// Throws InputError if a 4.1 file of these could be refused: it names the groups once per entity, and the reader takes
+  /// no more memberships than `gmsh_memberships_per_byte` of the file.
+  void require_readable_entities() const;
   /// The physical groups of every entity, in increasing order.
   [[nodiscard]] const std::vector<std::vector<std::int64_t>>& entities() const noexcept { return groups_; }
 

@@ -1,4 +1,5 @@
 #include "derham/core/text.hpp"
+#include "derham/io/gmsh_groups.hpp"
 #include "derham/io/gmsh_reading.hpp"
 #include "derham/io/large_pages.hpp"
 
@@ -183,6 +184,8 @@ void read_binary_elements(GmshReading& reading, const ElementBlock& block) {
 
 void read_element_blocks(GmshReading& reading, Index blocks, Index count) {
   auto& input = reading.input;
+  const auto most_memberships = gmsh_memberships_per_byte * (input.file.offset() + input.file.remaining());
+  std::int64_t memberships = 0;
   Index done = 0;
   for (Index b = 0; b < blocks; ++b) {
     input.next_record("blocks of elements", b, blocks);
@@ -198,6 +201,13 @@ void read_element_blocks(GmshReading& reading, Index blocks, Index count) {
     }
     const auto entity = reading.groups.find({header.dimension, header.entity});
     const ElementBlock block{header.count, type, entity == reading.groups.end() ? nullptr : &entity->second};
+    memberships += block.groups == nullptr ? 0 : std::int64_t{block.count} * std::ssize(*block.groups);
+    if (memberships > most_memberships) {
+      input.file.rewind(start);
+      input.file.fail(text("with this block the elements are in ", memberships,
+                           " physical groups in all; expected at most ", most_memberships, ", ",
+                           gmsh_memberships_per_byte, " per byte of the file"));
+    }
     reading.elements.count_higher_order(type.nodes > type.degree + 1 ? block.count : 0);
     reading.elements.expect(type.degree, count - done);
     if (input.is_binary())

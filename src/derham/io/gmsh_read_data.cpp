@@ -146,15 +146,9 @@ void read_gmsh_field(GmshReading& reading, MeshField::On on) {
   auto& input = reading.input;
   auto& file = input.file;
   const bool swap = input.swaps();
-  const auto start = file.offset();
   const auto header = read_field_header(input);
   const FieldItems items(reading, on);
   const char* const what = on == MeshField::On::vertices ? "nodes" : "simplices of the highest dimension";
-  const auto refuse_incomplete = [&](Index found) {
-    file.rewind(start);
-    file.fail(text("field ", quoted_token(header.name), " has values for ", found, " of ", items.count(), " ", what,
-                   "; expected all of them"));
-  };
 
   MeshField field{header.name, on, static_cast<int>(header.components), {}};
   const auto width = static_cast<std::size_t>(header.components);
@@ -196,8 +190,12 @@ void read_gmsh_field(GmshReading& reading, MeshField::On on) {
   if (lower > 0)
     reading.mesh.notes.push_back(
         text("field ", quoted_token(header.name), ": dropped ", lower, " values on simplices of lower dimension"));
-  if (found < items.count() && (found > 0 || lower == 0)) refuse_incomplete(found);
-  if (found < items.count()) return;
+  if (found < items.count()) {
+    if (found > 0 || lower == 0)
+      reading.mesh.notes.push_back(text("field ", quoted_token(header.name), " has values for ", found, " of ",
+                                        items.count(), ' ', what, ": not kept"));
+    return;
+  }
 
   auto& fields = reading.mesh.fields;
   const auto [entry, is_new] = reading.fields.try_emplace({on, header.name}, fields.size(), 0);

@@ -6,13 +6,6 @@
 #include <cstdint>
 
 namespace derham {
-namespace {
-
-// Of one entity. Else a short file could name many groups once and have every element in all of them.
-constexpr std::size_t most_groups = 64;
-
-}  // namespace
-
 void read_gmsh_entities(GmshReading& reading, bool partitioned) {
   auto& input = reading.input;
   const auto int_and_sizes = [&](int sizes) { return std::int64_t{4} + std::int64_t{sizes} * input.size_width(); };
@@ -39,12 +32,8 @@ void read_gmsh_entities(GmshReading& reading, bool partitioned) {
       }
       input.skip_reals(dimension == 0 ? 3 : 6, "a coordinate");
       const Index groups = input.count("the number of physical groups", 2, 4);
-      for (Index g = 0; g < groups; ++g) {
-        auto& known = reading.groups[{dimension, number}];
-        if (known.size() == most_groups)
-          input.file.fail(text("an entity in more than ", most_groups, " physical groups; expected at most so many"));
-        known.push_back(input.integer("a physical group"));
-      }
+      for (Index g = 0; g < groups; ++g)
+        reading.groups[{dimension, number}].push_back(input.integer("a physical group"));
       if (dimension == 0) continue;
       const Index bounding = input.count("the number of bounding entities", 2, 4);
       for (Index e = 0; e < bounding; ++e) (void)input.integer("a bounding entity");

@@ -4,6 +4,7 @@
 #include "derham/io/gmsh_elements.hpp"
 #include "derham/io/gmsh_groups.hpp"
 #include "derham/io/gmsh_output.hpp"
+#include "derham/io/part_numbers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,6 +40,9 @@ struct Source {
   }
 };
 
+// How many components Gmsh knows that hold so many.
+int held_components(int components) { return components == 1 ? 1 : components <= 3 ? 3 : 9; }
+
 void require_fit(const Source& source, bool is_41, bool is_binary) {
   const auto& mesh = source.mesh;
   Offset elements = 0;
@@ -48,6 +52,8 @@ void require_fit(const Source& source, bool is_41, bool is_binary) {
   if (is_binary && (!is_41 || !mesh.fields.empty()) && std::max(Offset{mesh.vertex_count}, elements) > most)
     throw InputError(text("a binary .msh ", is_41 ? "4.1 with fields" : "2.2", " numbers at most ", most,
                           " vertices and simplices; write text"));
+  if (is_41)
+    for (const auto& list : source.listed) list.require_readable_entities();
   std::set<std::pair<MeshField::On, std::string_view>> names;
   for (const auto& field : mesh.fields) {
     if (!names.insert({field.on, field.name}).second)
@@ -197,7 +203,7 @@ void write_elements_41(GmshOutput& out, const Source& source) {
 
 void write_field(GmshOutput& out, const MeshField& field) {
   const bool on_vertices = field.on == MeshField::On::vertices;
-  const int held = field.components == 1 ? 1 : field.components <= 3 ? 3 : 9;  // Gmsh knows no other numbers
+  const int held = held_components(field.components);
   const auto items = static_cast<std::int64_t>(field.values.size()) / field.components;
   out.open(on_vertices ? "NodeData" : "ElementData");
   out.file.put("1\n").put(gmsh_quoted(field.name)).put("\n1\n0\n3\n0\n").put(held).put('\n').put(items).put('\n');
@@ -210,7 +216,44 @@ void write_field(GmshOutput& out, const MeshField& field) {
   out.close(on_vertices ? "NodeData" : "ElementData");
 }
 
+// How many vertices are in parts, but no simplex of dimension 0.
+Offset vertices_without_point(const MeshData& mesh) {
+  if (mesh.simplices.dimension() == 0) return 0;
+  std::set<Index> vertices;
+  for (const auto& part : mesh.parts)
+    if (part.degree == 0) vertices.insert(part.members.begin(), part.members.end());
+  if (!mesh.lower.empty())
+    for (const Index v : mesh.lower[0].vertices()) vertices.erase(v);
+  return std::ssize(vertices);
+}
+
 }  // namespace
+
+std::vector<std::string> lost_in_gmsh(const MeshData& mesh, const WriteOptions& options) {
+  std::vector<std::string> lost;
+  const auto say = [&](Offset count, const auto&... what) {
+    if (count > 0) lost.push_back(text(what...));
+  };
+  const auto numbers = gmsh_group_numbers(mesh);
+  Offset renumbered = 0, silent = 0, padded = 0;
+  for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+    const auto& part = mesh.parts[p];
+    const bool is_silent = part.members.empty() && (part.name.empty() || mesh.simplices.empty());
+    silent += is_silent;
+    renumbered += !is_silent && numbers[p] != part.number;
+  }
+  for (const auto& field : mesh.fields) padded += held_components(field.components) != field.components;
+  const auto points = vertices_without_point(mesh);
+  const auto several = options.gmsh_41 ? 0 : simplices_in_several_parts(mesh);
+  say(silent, "does not hold parts without members (", silent, ") that have no name");
+  say(renumbered, "numbers the parts of a dimension from 1 to 2147483647, none twice: ", renumbered,
+      " get other numbers");
+  say(padded, "holds fields of 1, 3 or 9 components: ", padded, " are padded with zeros");
+  say(points, "holds parts of vertices as points: ", points, " are added to the simplices of dimension 0");
+  say(several, "2.2 lists simplices in several parts (", several,
+      ") once for each, which others may take for copies; 4.1 does not (--gmsh-version 4.1, WriteOptions::gmsh_41)");
+  return lost;
+}
 
 void write_gmsh(TextWriter& file, const MeshData& mesh, const WriteOptions& options) {
   const bool is_41 = options.gmsh_41;

@@ -2,6 +2,8 @@
 #include "derham/io/formats.hpp"
 #include "derham/io/large_pages.hpp"
 #include "derham/io/listed_simplices.hpp"
+#include "derham/io/read_hints.hpp"
+#include "derham/io/unused_vertices.hpp"
 
 #include <algorithm>
 #include <array>
@@ -53,17 +55,20 @@ constexpr std::array skipped_keywords{
     Keyword{"BoundingBox", -2, false},
 };
 
-// The sections of simplices, and quadrilaterals.
+// The sections of simplices, and quadrilaterals: their corners, and the nodes in the middle of edges behind them.
 struct Kind {
   std::string_view name;
   const char *count, *records;
-  std::size_t width;
+  std::size_t width, mid_nodes;
 };
 constexpr std::array kinds{
-    Kind{"Edges", "the number of edges", "edges", 2},
-    Kind{"Triangles", "the number of triangles", "triangles", 3},
-    Kind{"Tetrahedra", "the number of tetrahedra", "tetrahedra", 4},
-    Kind{"Quadrilaterals", "the number of quadrilaterals", "quadrilaterals", 4},
+    Kind{"Edges", "the number of edges", "edges", 2, 0},
+    Kind{"Triangles", "the number of triangles", "triangles", 3, 0},
+    Kind{"Tetrahedra", "the number of tetrahedra", "tetrahedra", 4, 0},
+    Kind{"Quadrilaterals", "the number of quadrilaterals", "quadrilaterals", 4, 0},
+    Kind{"EdgesP2", "the number of edges", "edges", 2, 1},
+    Kind{"TrianglesP2", "the number of triangles", "triangles", 3, 3},
+    Kind{"TetrahedraP2", "the number of tetrahedra", "tetrahedra", 4, 6},
 };
 
 // Medit files are a sequence of tokens; lines mean nothing.
@@ -86,8 +91,12 @@ class MeditReader {
     if (!has_vertices_) file_.fail("the file has no section Vertices");
     if (!has_end_)
       mesh_.notes.emplace_back("the file does not say End: it may have been cut short between two sections");
+    if (quadrilaterals_ > 0)
+      mesh_.notes.push_back(
+          text("split ", quadrilaterals_, " quadrilaterals into ", 2 * quadrilaterals_, " triangles"));
     std::move(simplices_).move_to(mesh_);
     std::move(vertex_parts_).move_to(mesh_);
+    drop_mid_nodes(mesh_, higher_order_, "elements");
     return std::move(mesh_);
   }
 
@@ -141,8 +150,10 @@ class MeditReader {
   }
 
   void read_section(std::string_view keyword, std::int64_t start) {
+    for (const auto& kind : kinds)
+      if (kind.name == keyword) return read_simplices(kind, start);  // all that the sections of one name hold
     if (std::ranges::find(seen_, keyword) != seen_.end())
-      refuse(start, text("a second section ", quoted_token(keyword), "; expected one"));
+      refuse(start, text("a second section ", quoted_token(keyword), "; expected one: join the two"));
     seen_.emplace_back(keyword);
     if (keyword == "Dimension") {
       (void)file_.next_line();
@@ -151,14 +162,11 @@ class MeditReader {
     }
     if (mesh_.ambient_dimension == 0) refuse(start, text("found ", quoted_token(keyword), ", expected Dimension"));
     if (keyword == "Vertices") return read_vertices();
-    for (const auto& kind : kinds)
-      if (kind.name == keyword) return read_simplices(kind, start);
     for (const auto& skipped : skipped_keywords)
       if (skipped.name == keyword) return skip(skipped);
     for (const std::string_view other : {"Hexahedra", "Hexaedra", "Prisms", "Pentahedra", "Pyramids", "Polyhedra"})
       if (other == keyword) return read_none_of(keyword, "expected tetrahedra", start);
-    for (const std::string_view other :
-         {"EdgesP2", "TrianglesP2", "TetrahedraP2", "QuadrilateralsQ2", "HexahedraQ2", "PrismsP2", "PyramidsP2"})
+    for (const std::string_view other : {"QuadrilateralsQ2", "HexahedraQ2", "PrismsP2", "PyramidsP2"})
       if (other == keyword) return read_none_of(keyword, "expected simplices of first order", start);
     refuse(start, text("found ", quoted_token(keyword), ", expected a keyword of the format such as Vertices"));
   }
@@ -184,18 +192,26 @@ class MeditReader {
   void read_simplices(const Kind& kind, std::int64_t start) {
     if (!has_vertices_) refuse(start, text(kind.name, " stand before Vertices; expected Vertices first"));
     const bool is_quad = kind.name == "Quadrilaterals";
-    const Index records = count(kind.count, 2 * (static_cast<std::int64_t>(kind.width) + 1));
+    const Index records = count(kind.count, 2 * (static_cast<std::int64_t>(kind.width + kind.mid_nodes) + 1));
     if (is_quad && records > 0 && !options_.triangulate)
       refuse(start, text("the file has ", records,
-                         " quadrilaterals, which are no simplices; expected triangles: split them first, or read with "
-                         "triangulate"));
-    if (!is_quad) simplices_.reserve(static_cast<int>(kind.width) - 1, records, false);
+                         " quadrilaterals, which are no simplices; expected triangles: split them first, or have them ",
+                         split_on_reading));
+    if (kind.mid_nodes > 0 && records > 0 && !options_.corner_nodes)
+      refuse(start, text("the file has ", records, ' ', kind.name, "; expected simplices of first order, or ",
+                         keep_corner_nodes));
+    const int degree = static_cast<int>(kind.width) - 1;
+    if (!is_quad && simplices_.size(degree) == 0) simplices_.reserve(degree, records, false);
     std::array<Index, 4> row{};
     for (Index i = 0; i < records; ++i) {
       next_record(i, records, kind.records);
       for (std::size_t v = 0; v < kind.width; ++v) {
         (void)file_.next_line();
         row[v] = static_cast<Index>(file_.integer("a vertex number", 1, mesh_.vertex_count) - 1);
+      }
+      for (std::size_t v = 0; v < kind.mid_nodes; ++v) {
+        (void)file_.next_line();
+        (void)file_.integer("a vertex number", 1, mesh_.vertex_count);
       }
       const auto reference = integer("a reference");
       if (is_quad) {
@@ -205,8 +221,8 @@ class MeditReader {
         add(std::span<const Index>(row).first(kind.width), reference);
       }
     }
-    if (is_quad && records > 0)
-      mesh_.notes.push_back(text("split ", records, " quadrilaterals into ", 2 * std::int64_t{records}, " triangles"));
+    if (is_quad) quadrilaterals_ += records;
+    if (kind.mid_nodes > 0) higher_order_ += records;
   }
 
   void add(std::span<const Index> row, std::int64_t reference) {
@@ -245,6 +261,7 @@ class MeditReader {
   ListedSimplices simplices_;
   VertexParts vertex_parts_;
   std::vector<std::string> seen_;
+  Offset quadrilaterals_ = 0, higher_order_ = 0;
   bool has_vertices_ = false, has_end_ = false;
 };
 

@@ -21,6 +21,8 @@ void write_simplices(TextWriter& file, const SimplexList& list, const std::vecto
 
 }  // namespace
 
+std::vector<std::string> lost_in_medit(const MeshData& mesh, const WriteOptions&) { return lost_in_part_numbers(mesh); }
+
 void write_medit(TextWriter& file, const MeshData& mesh, const WriteOptions&) {
   const auto m = static_cast<std::size_t>(mesh.ambient_dimension);
   const std::size_t width = std::max<std::size_t>(m, 2);

@@ -17,18 +17,18 @@ constexpr auto none = Cursor::no_comment;
 
 constexpr std::array table{
     // clang-format off
-    //            format              name      extensions  magic              comment  reader       writer        n     m     parts  lower  fields
-    FormatTraits{MeshFormat::tetgen, "tetgen", "node ele", "",                    '#',  nullptr,     nullptr,      2, 3, 2, 3, true,  true,  true },
-    FormatTraits{MeshFormat::gmsh,   "gmsh",   "msh",      "$",                   none, read_gmsh,   write_gmsh,   0, 3, 1, 3, true,  true,  true},
-    FormatTraits{MeshFormat::medit,  "medit",  "mesh",     "MeshVersionFormatted", '#', read_medit, write_medit,  1, 3, 1, 3, true,  true,  false},
-    FormatTraits{MeshFormat::vtk,    "vtk",    "vtk",      "# vtk DataFile",      none, read_vtk,    write_vtk,    0, 3, 1, 3, false, true,  true },
-    FormatTraits{MeshFormat::vtu,    "vtu",    "vtu",      "<",                   none, read_vtu,    write_vtu,    0, 3, 1, 3, false, true,  true },
-    FormatTraits{MeshFormat::obj,    "obj",    "obj",      "",                    '#',  read_obj,    write_obj,    0, 2, 1, 3, false, false, false},
-    FormatTraits{MeshFormat::off,    "off",    "off",      "OFF",                 '#',  read_off,    write_off,    0, 2, 1, 3, false, false, false},
-    FormatTraits{MeshFormat::ply,    "ply",    "ply",      "ply",                 none, read_ply,    write_ply,    0, 2, 1, 3, false, false, true},
-    FormatTraits{MeshFormat::stl,    "stl",    "stl",      "solid",               none, read_stl,    write_stl,    2, 2, 3, 3, false, false, false},
-    FormatTraits{MeshFormat::facets, "facets", "facets",   "",                    '#',  read_facets, write_facets, 0, 6, 0, 6, false, false, false},
-    FormatTraits{MeshFormat::npz,    "npz",    "npz",      "PK",                  none, read_npz,    write_npz,    0, 6, 0, 6, true,  true,  true},
+    //            format              name      extensions  magic              comment  reader       writer        lost            n     m     parts  lower  fields
+    FormatTraits{MeshFormat::tetgen, "tetgen", "node ele", "",                    '#',  nullptr,     nullptr,      lost_in_tetgen, 2, 3, 2, 3, true,  true,  true},
+    FormatTraits{MeshFormat::gmsh,   "gmsh",   "msh",      "$",                   none, read_gmsh,   write_gmsh,   lost_in_gmsh,   0, 3, 3, 3, true,  true,  true},
+    FormatTraits{MeshFormat::medit,  "medit",  "mesh",     "MeshVersionFormatted", '#', read_medit,  write_medit,  lost_in_medit,  1, 3, 2, 3, true,  true,  false},
+    FormatTraits{MeshFormat::vtk,    "vtk",    "vtk",      "# vtk DataFile",      none, read_vtk,    write_vtk,    nullptr,        0, 3, 3, 3, false, true,  true},
+    FormatTraits{MeshFormat::vtu,    "vtu",    "vtu",      "<",                   none, read_vtu,    write_vtu,    nullptr,        0, 3, 3, 3, false, true,  true},
+    FormatTraits{MeshFormat::obj,    "obj",    "obj",      "",                    '#',  read_obj,    write_obj,    nullptr,        0, 2, 3, 3, false, false, false},
+    FormatTraits{MeshFormat::off,    "off",    "off",      "OFF",                 '#',  read_off,    write_off,    nullptr,        0, 2, 3, 3, false, false, false},
+    FormatTraits{MeshFormat::ply,    "ply",    "ply",      "ply",                 none, read_ply,    write_ply,    lost_in_ply,    0, 2, 3, 3, false, false, true},
+    FormatTraits{MeshFormat::stl,    "stl",    "stl",      "solid",               none, read_stl,    write_stl,    lost_in_stl,    2, 2, 3, 3, false, false, false},
+    FormatTraits{MeshFormat::facets, "facets", "facets",   "",                    '#',  read_facets, write_facets, lost_in_facets, 0, 6, 0, 6, false, false, false},
+    FormatTraits{MeshFormat::npz,    "npz",    "npz",      "PK",                  none, read_npz,    write_npz,    nullptr,        0, 6, 0, 6, true,  true,  true},
     // clang-format on
 };
 

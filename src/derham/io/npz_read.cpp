@@ -130,7 +130,7 @@ class Reader {
     arrays_.with("part_degrees", [&](const NpyArray& array, const NpyFail& fail) {
       require_integers(array, fail);
       require_shape(array, {count}, " as part_numbers has", fail);
-      const auto degrees = npy_ids(array, mesh_.simplices.dimension() + 1, "a degree", fail);
+      const auto degrees = npy_ids(array, std::max(mesh_.simplices.dimension(), 0) + 1, "a degree", fail);
       std::set<std::pair<Index, std::int64_t>> seen;
       for (std::size_t i = 0; i < degrees.size(); ++i) {
         mesh_.parts[i].degree = static_cast<int>(degrees[i]);

@@ -53,7 +53,11 @@ class Writer {
 // Names as numpy's text of bytes: all as long as the longest.
 void add_part_names(Writer& file, const std::vector<MeshPart>& parts) {
   std::size_t longest = 1;
+  std::set<std::pair<int, std::int64_t>> numbers;
   for (const auto& part : parts) {
+    if (!numbers.insert({part.degree, part.number}).second)
+      throw InputError(
+          text("two parts of degree ", part.degree, " have the number ", part.number, "; give one of them another"));
     longest = std::max(longest, part.name.size());
     if (part.name.ends_with('\0'))
       throw InputError(text("format npz cannot hold the name of part ", part.number, ", which ends with a zero byte"));

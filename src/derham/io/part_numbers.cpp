@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
+#include <utility>
 
 namespace derham {
 
@@ -24,26 +26,36 @@ std::vector<std::int64_t> part_numbers(const MeshData& mesh, int degree, Offset 
   return numbers;
 }
 
-std::vector<std::string> lost_in_part_numbers(const MeshData& mesh) {
-  Offset named = 0, zero = 0;
+Offset simplices_in_several_parts(const MeshData& mesh) {
+  Offset several = 0;
   std::vector<Index> members;
-  bool overlap = false;
-  for (const auto& part : mesh.parts) {
-    named += !part.name.empty();
-    zero += part.number == 0 || part.members.empty();
-  }
-  const int top = std::max(mesh.simplices.dimension(), 0);
-  for (int degree = 0; degree <= top && !overlap; ++degree) {
+  for (int degree = 0; degree <= std::max(mesh.simplices.dimension(), 0); ++degree) {
     members.clear();
     for (const auto& part : mesh.parts)
       if (part.degree == degree) members.insert(members.end(), part.members.begin(), part.members.end());
     std::ranges::sort(members);
-    overlap = std::ranges::adjacent_find(members) != members.end();
+    for (std::size_t i = 1; i < members.size(); ++i)
+      several += members[i] == members[i - 1] && (i == 1 || members[i] != members[i - 2]);
+  }
+  return several;
+}
+
+std::vector<std::string> lost_in_part_numbers(const MeshData& mesh) {
+  Offset named = 0, silent = 0, repeated = 0;
+  std::set<std::pair<int, std::int64_t>> numbers;
+  for (const auto& part : mesh.parts) {
+    named += !part.name.empty();
+    silent += part.number == 0 || part.members.empty();
+    repeated += !numbers.insert({part.degree, part.number}).second;
   }
   std::vector<std::string> lost;
-  if (named > 0) lost.push_back(text("names of parts (", named, "), only their numbers"));
-  if (zero > 0) lost.push_back(text("parts without members or with the number 0 (", zero, ")"));
-  if (overlap) lost.emplace_back("that a simplex is in several parts, only the first");
+  if (named > 0) lost.push_back(text("does not hold names of parts (", named, "), only their numbers"));
+  if (silent > 0) lost.push_back(text("does not hold parts without members or with the number 0 (", silent, ")"));
+  if (repeated > 0) lost.push_back(text("does not tell parts of the same number apart (", repeated, ")"));
+  if (const auto several = simplices_in_several_parts(mesh); several > 0)
+    lost.push_back(text("does not hold that simplices (", several, ") are in several parts, only the first"));
+  if (!mesh.lower.empty() && !mesh.lower[0].empty())
+    lost.push_back(text("does not hold points as simplices (", mesh.lower[0].size(), ")"));
   return lost;
 }
 

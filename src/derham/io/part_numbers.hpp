@@ -13,7 +13,11 @@ namespace derham {
 /// Throws   InputError if a member is outside [0, count)
 [[nodiscard]] std::vector<std::int64_t> part_numbers(const MeshData& mesh, int degree, Offset count);
 
-/// What of the parts of `mesh` such numbers cannot say, one phrase each: names, parts that overlap, parts numbered 0.
+/// How many simplices (vertices, for degree 0) are in more than one part.
+[[nodiscard]] Offset simplices_in_several_parts(const MeshData& mesh);
+
+/// What such numbers do not carry of a mesh, one phrase each: names of parts, parts that overlap, parts numbered 0 or
+/// without members, and simplices of dimension 0, which stand nowhere in these formats.
 [[nodiscard]] std::vector<std::string> lost_in_part_numbers(const MeshData& mesh);
 
 }  // namespace derham

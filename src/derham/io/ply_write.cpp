@@ -45,18 +45,18 @@ void add_lost_names(const MeshData& mesh, MeshField::On on, std::vector<std::str
     const auto& field = *written[i].field;
     const auto last = i + static_cast<std::size_t>(field.components) - 1;
     if (field.components > 1)
-      lost.push_back(text("the ", field.components, " components of the field ", quoted_token(field.name),
+      lost.push_back(text("does not hold the ", field.components, " components of the field ", quoted_token(field.name),
                           " together: they become ", quoted_token(written[i].name), " to ",
                           quoted_token(written[last].name)));
     else if (written[i].name != field.name)
-      lost.push_back(
-          text("the name of the field ", quoted_token(field.name), ": it becomes ", quoted_token(written[i].name)));
+      lost.push_back(text("does not hold the name of the field ", quoted_token(field.name), ": it becomes ",
+                          quoted_token(written[i].name)));
   }
 }
 
 }  // namespace
 
-std::vector<std::string> lost_in_ply(const MeshData& mesh) {
+std::vector<std::string> lost_in_ply(const MeshData& mesh, const WriteOptions&) {
   std::vector<std::string> lost;
   add_lost_names(mesh, MeshField::On::vertices, lost);
   add_lost_names(mesh, MeshField::On::rows, lost);

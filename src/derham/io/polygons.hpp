@@ -5,6 +5,7 @@
 #include "derham/io/cursor.hpp"
 #include "derham/io/listed_simplices.hpp"
 #include "derham/io/options.hpp"
+#include "derham/io/read_hints.hpp"
 
 #include <array>
 #include <cstddef>
@@ -35,8 +36,8 @@ class Polygons {
 
   [[noreturn]] void refuse(std::size_t width) const {
     file_.fail(text("a face with ", width,
-                    " vertices; expected triangles: split the polygons of this file first, or have "
-                    "them split on reading (--triangulate)"));
+                    " vertices; expected triangles: split the polygons of this file first, or have them ",
+                    split_on_reading));
   }
 
   /// Says in the notes what was split.

@@ -104,7 +104,7 @@ MeshData read_mesh_from_memory(std::string_view bytes, MeshFormat format, const 
   const auto& traits = format_traits(format);
   if (traits.comment != Cursor::no_comment) refuse_lone_returns(bytes, name);
   Cursor file(bytes, name, traits.comment);
-  if (format == MeshFormat::tetgen) return finished(read_tetgen({file, file}), options);
+  if (format == MeshFormat::tetgen) return finished(read_tetgen({file, file}, options), options);
   if (traits.read == nullptr)
     throw FileError(FileError::Action::read, name, 0,
                     text("derham writes ", format_name(format), " but does not read it"));
@@ -126,7 +126,7 @@ MeshData read_mesh(const std::string& path, std::optional<MeshFormat> format, co
   Cursor nodes(is_ele ? other.view() : bytes.view(), paths.node, '#');
   Cursor simplices(is_ele ? bytes.view() : other.view(), paths.ele, '#');
   OptionalFile faces(paths.face), edges(paths.edge);
-  return finished(read_tetgen({nodes, simplices, faces.cursor(), edges.cursor()}), options);
+  return finished(read_tetgen({nodes, simplices, faces.cursor(), edges.cursor()}, options), options);
 }
 
 }  // namespace derham

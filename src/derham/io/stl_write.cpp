@@ -3,10 +3,12 @@
 #include "derham/io/byte_order.hpp"
 #include "derham/io/formats.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace derham {
 namespace {
@@ -74,6 +76,16 @@ void write_binary(TextWriter& file, const MeshData& mesh) {
 }
 
 }  // namespace
+
+std::vector<std::string> lost_in_stl(const MeshData& mesh, const WriteOptions& options) {
+  std::vector<std::string> lost;
+  const auto rounded =
+      std::ranges::count_if(mesh.points, [](double x) { return static_cast<double>(static_cast<float>(x)) != x; });
+  if (rounded > 0 && options.encoding != WriteOptions::Encoding::ascii)
+    lost.push_back(text("holds positions as 32-bit numbers: ", rounded, " coordinates are rounded"));
+  lost.emplace_back("does not hold the order of vertices");
+  return lost;
+}
 
 void write_stl(TextWriter& file, const MeshData& mesh, const WriteOptions& options) {
   if (options.encoding == WriteOptions::Encoding::ascii)

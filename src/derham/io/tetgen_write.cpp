@@ -4,7 +4,10 @@
 #include "derham/io/formats.hpp"
 #include "derham/io/part_numbers.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -60,6 +63,12 @@ bool has_lower(const MeshData& mesh, int degree) noexcept {
   return degree < mesh.simplices.dimension() && d < mesh.lower.size() && !mesh.lower[d].empty();
 }
 
+bool reads_as_region(double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return tetgen_region({digits.data(), end}).has_value();
+}
+
 // Faces and edges of an older mesh would be read with the new one.
 void remove_stale(const std::string& path) {
   if (::unlink(path.c_str()) != 0 && errno != ENOENT)
@@ -77,13 +86,19 @@ struct Output {
 
 void write_tetgen(const TetgenWriters& files, const MeshData& mesh) {
   const auto m = static_cast<std::size_t>(mesh.ambient_dimension);
+  const auto width = std::max<std::size_t>(m, 2);
   const auto markers = part_numbers(mesh, 0, mesh.vertex_count);
   const Columns attributes(mesh, MeshField::On::vertices, mesh.vertex_count);
   auto& nodes = files.nodes;
-  nodes.put(mesh.vertex_count).put(' ').put(m).put(' ').put(attributes.count()).put(markers.empty() ? " 0\n" : " 1\n");
+  nodes.put(mesh.vertex_count)
+      .put(' ')
+      .put(width)
+      .put(' ')
+      .put(attributes.count())
+      .put(markers.empty() ? " 0\n" : " 1\n");
   for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.vertex_count); ++i) {
     nodes.put(i);
-    for (std::size_t axis = 0; axis < m; ++axis) nodes.put(' ').put(mesh.points[i * m + axis]);
+    for (std::size_t axis = 0; axis < width; ++axis) nodes.put(' ').put(axis < m ? mesh.points[i * m + axis] : 0.0);
     attributes.put(nodes, i);
     if (!markers.empty()) nodes.put(' ').put(markers[i]);
     nodes.put('\n');
@@ -96,7 +111,7 @@ void write_tetgen(const TetgenWriters& files, const MeshData& mesh) {
   auto& simplices = files.simplices;
   simplices.put(mesh.simplices.size())
       .put(' ')
-      .put((mesh.simplices.empty() ? static_cast<int>(m) : mesh.simplices.dimension()) + 1);
+      .put((mesh.simplices.empty() ? static_cast<int>(width) : mesh.simplices.dimension()) + 1);
   simplices.put(' ').put(regions.empty() ? row_attributes.count() : 1).put('\n');
   for (Offset i = 0; i < mesh.simplices.size(); ++i) {
     simplices.put(i);
@@ -109,17 +124,25 @@ void write_tetgen(const TetgenWriters& files, const MeshData& mesh) {
   if (files.faces != nullptr) write_lower(*files.faces, mesh, 2);
 }
 
-std::vector<std::string> lost_in_tetgen(const MeshData& mesh) {
-  std::vector<std::string> lost;
-  Offset named = 0, on_rows = 0, on_vertices = 0, row_parts = 0;
+std::vector<std::string> lost_in_tetgen(const MeshData& mesh, const WriteOptions&) {
+  auto lost = lost_in_part_numbers(mesh);
+  const MeshField* on_rows = nullptr;
+  Offset named = 0, vertex_fields = 0, row_fields = 0, row_parts = 0;
   for (const auto& field : mesh.fields) {
-    auto& count = field.on == MeshField::On::rows ? on_rows : on_vertices;
+    const bool is_row_field = field.on == MeshField::On::rows;
+    if (is_row_field) on_rows = &field;
+    auto& count = is_row_field ? row_fields : vertex_fields;
     ++count;
-    named += field.components != 1 || field.name != text("attribute ", count);
+    named += field.components != 1 || field.name != tetgen_attribute_name(count);
   }
   for (const auto& part : mesh.parts) row_parts += part.degree == mesh.simplices.dimension();
-  if (named > 0) lost.push_back(text("names and components of fields (", named, "), only columns of attributes"));
-  if (on_rows > 0 && row_parts > 0) lost.push_back(text("parts of the rows (", row_parts, ") beside fields on rows"));
+  if (named > 0)
+    lost.push_back(text("does not hold names and components of fields (", named, "), only columns of attributes"));
+  if (row_fields > 0 && row_parts > 0)
+    lost.push_back(text("does not hold parts of the rows (", row_parts, ") beside fields on rows"));
+  if (row_fields == 1 && on_rows->components == 1 && std::ranges::all_of(on_rows->values, reads_as_region))
+    lost.push_back(text("holds a single field of integers on the rows (", quoted_token(on_rows->name),
+                        ") as regions: it reads back as parts"));
   return lost;
 }
 

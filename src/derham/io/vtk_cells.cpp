@@ -2,6 +2,7 @@
 
 #include "derham/core/text.hpp"
 #include "derham/io/listed_simplices.hpp"
+#include "derham/io/read_hints.hpp"
 #include "derham/io/unused_vertices.hpp"
 
 #include <algorithm>
@@ -118,7 +119,8 @@ void VtkCells::move_to(MeshData& mesh, const ReadOptions& options, Cursor& file)
       cell_of[row.size() - 1].push_back(static_cast<Index>(i));
     };
     if (is_polygon(type) && points.size() > 3 && (type == 7 || points.size() == 4)) {
-      if (!options.triangulate) refuse("expected simplices: triangulate the mesh first, or read it with triangulate");
+      if (!options.triangulate)
+        refuse(text("expected simplices: split the mesh first, or have it ", split_on_reading).c_str());
       // A pixel has its points row by row, not around.
       const std::array<Index, 4> around{points[0], points[1], points[3], points[2]};
       const auto polygon = type == 8 ? std::span<const Index>(around) : points;
@@ -131,7 +133,7 @@ void VtkCells::move_to(MeshData& mesh, const ReadOptions& options, Cursor& file)
     const auto width = static_cast<std::size_t>(degree + 1);
     if (degree < 0) refuse("expected vertices, lines, triangles or tetrahedra");
     if (is_higher_order(type) && points.size() >= width) {
-      if (!options.corner_nodes) refuse("expected simplices of first order; corner_nodes keeps the corners alone");
+      if (!options.corner_nodes) refuse(text("expected simplices of first order, or ", keep_corner_nodes).c_str());
       add(points.first(width));
       ++cut;
       continue;

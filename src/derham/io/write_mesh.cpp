@@ -4,7 +4,6 @@
 #include "derham/core/text.hpp"
 #include "derham/io/atomic_file.hpp"
 #include "derham/io/formats.hpp"
-#include "derham/io/part_numbers.hpp"
 #include "derham/io/text_writer.hpp"
 
 #include <algorithm>
@@ -92,38 +91,6 @@ void require_fit(const MeshData& mesh, const FormatTraits& format) {
 }
 
 }  // namespace
-
-std::vector<std::string> not_carried(const MeshData& mesh, MeshFormat format, const WriteOptions& options) {
-  const auto& traits = format_traits(format);
-  std::vector<std::string> out;
-  const auto lose = [&](const auto&... what) {
-    out.push_back(text("format ", traits.name, " does not hold ", what...));
-  };
-  const bool has_metric = mesh.has_points() || mesh.has_corners();
-  if (traits.largest_ambient > 3 && !traits.holds_fields && has_metric) lose("positions");
-  if (!mesh.parts.empty() && !traits.holds_parts) lose("parts (", mesh.parts.size(), ")");
-  if (mesh.lower_count() > 0 && !traits.holds_lower) lose("simplices of lower dimension (", mesh.lower_count(), ")");
-  if (format == MeshFormat::medit ||
-      format == MeshFormat::tetgen) {  // one number per simplex, and no simplices of dimension 0
-    for (const auto& phrase : lost_in_part_numbers(mesh)) lose(phrase);
-    if (!mesh.lower.empty() && !mesh.lower[0].empty()) lose("points as simplices (", mesh.lower[0].size(), ")");
-  }
-  if (format == MeshFormat::tetgen)
-    for (const auto& phrase : lost_in_tetgen(mesh)) lose(phrase);
-  if (format == MeshFormat::ply)
-    for (const auto& phrase : lost_in_ply(mesh)) lose(phrase);
-  if (!mesh.fields.empty() && !traits.holds_fields) lose("fields (", mesh.fields.size(), ")");
-  if (!mesh.forms.empty() && format != MeshFormat::npz) lose("forms (", mesh.forms.size(), ")");
-  if (!mesh.edge_lengths_squared.empty() && format != MeshFormat::npz) lose("edge lengths");
-  if (format == MeshFormat::stl) {
-    const auto rounded =
-        std::ranges::count_if(mesh.points, [](double x) { return static_cast<double>(static_cast<float>(x)) != x; });
-    if (rounded > 0 && options.encoding != WriteOptions::Encoding::ascii)
-      out.push_back(text("format stl holds positions as 32-bit numbers: ", rounded, " coordinates are rounded"));
-    lose("the order of vertices");
-  }
-  return out;
-}
 
 void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format, const WriteOptions& options) {
   require_sound(mesh);
