@@ -136,14 +136,21 @@ std::vector<Index> npy_ids(const NpyArray& array, std::int64_t bound, const char
   std::string found;
   with_type(array, [&]<class T>(T) {
     if constexpr (std::is_integral_v<T>) {
-      const char* const data = array.data.data();
-      const auto count = array.data.size() / sizeof(T);
-      const auto is_good = [&](T value) { return std::cmp_greater_equal(value, 0) && std::cmp_less(value, bound); };
-      for (std::size_t i = 0; i < count; ++i) in_range &= is_good(load_number<T>(data + i * sizeof(T), array.swap));
-      for (std::size_t i = 0; !in_range && found.empty() && i < count; ++i) {
-        const T value = load_number<T>(data + i * sizeof(T), array.swap);
-        if (!is_good(value)) found = std::to_string(value);
-      }
+      const auto check = [&, bound](auto numbers) {
+        const auto is_good = [bound](T value) {
+          return std::cmp_greater_equal(value, 0) && std::cmp_less(value, bound);
+        };
+        const auto count = array.data.size() / sizeof(T);
+        bool all = true;  // without a branch, so that many are compared at once
+        for (std::size_t i = 0; i < count; ++i) all &= is_good(numbers[i]);
+        in_range = all;
+        for (std::size_t i = 0; !all && found.empty(); ++i)
+          if (!is_good(numbers[i])) found = std::to_string(numbers[i]);
+      };
+      if (array.swap)
+        check(NumberBlock<T, true>(array.data.data()));
+      else
+        check(NumberBlock<T, false>(array.data.data()));
     }
   });
   if (!in_range)
