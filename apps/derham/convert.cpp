@@ -7,6 +7,8 @@
 
 #include <array>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace derham::cli {
 namespace {
@@ -44,6 +46,12 @@ WriteOptions write_options(const Conversion& c, MeshFormat format) {
   return options;
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string out;
+  for (const auto& name : names) (out += out.empty() ? "" : ", ") += name;
+  return out;
+}
+
 Exit convert(const Conversion& c, const Common& common) {
   Console console(common);
   const MeshFormat format = output_format(c);
@@ -55,6 +63,7 @@ Exit convert(const Conversion& c, const Common& common) {
   for (std::size_t i = notes; i < mesh.notes.size(); ++i) console.message(c.from.path + ": " + mesh.notes[i]);
 
   const auto lost = not_carried(mesh, format, options);
+  const auto files = written_files(c.path, mesh, format);
   console.stage("writing " + c.path);
   try {
     write_mesh(c.path, mesh, format, options);
@@ -65,6 +74,7 @@ Exit convert(const Conversion& c, const Common& common) {
   for (const auto& what : lost) console.message(c.path + ": " + what);
   if (common.json && c.path != "-")
     print(Json{{"file", c.path},
+               {"files", files},
                {"format", format_name(format)},
                {"vertices", mesh.vertex_count},
                {"top_simplices", mesh.simplices.size()},
@@ -73,7 +83,7 @@ Exit convert(const Conversion& c, const Common& common) {
                {"notes", mesh.notes},
                {"not_carried", lost}});
   else
-    console.message(text(c.path, ": ", mesh.vertex_count, " vertices, ", mesh.simplices.size(),
+    console.message(text(joined(files), ": ", mesh.vertex_count, " vertices, ", mesh.simplices.size(),
                          " simplices of dimension ", mesh.simplices.dimension()));
   return Exit::ok;
 }

@@ -254,6 +254,9 @@ TEST(Tetgen, FilesOfAPairHaveTheSameLetterCase) {
   }
   EXPECT_EQ(directory.file_count(), 6);
   write_mesh(directory / "d.1", mesh, MeshFormat::tetgen);
+  EXPECT_EQ(written_files("d.1", mesh, MeshFormat::tetgen), (std::vector<std::string>{"d.1.node", "d.1.ele"}));
+  EXPECT_EQ(written_files("d.ELE", mesh, MeshFormat::tetgen), (std::vector<std::string>{"d.NODE", "d.ELE"}));
+  EXPECT_EQ(written_files("-", mesh, MeshFormat::tetgen), (std::vector<std::string>{"-"}));
   EXPECT_EQ(read_mesh(directory / "d.1.node").simplices, mesh.simplices);
 }
 

@@ -103,5 +103,7 @@ struct TetgenPaths {
 /// Writes the files of a mesh: .face and .edge if there is something to write into them; else those of an older mesh are
 /// removed, for they would be read with this one.
 void write_tetgen_files(const TetgenPaths& paths, const MeshData& mesh);
+/// The files that it writes.
+[[nodiscard]] std::vector<std::string> tetgen_files(const TetgenPaths& paths, const MeshData& mesh);
 
 }  // namespace derham

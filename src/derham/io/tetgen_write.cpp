@@ -146,6 +146,13 @@ std::vector<std::string> lost_in_tetgen(const MeshData& mesh, const WriteOptions
   return lost;
 }
 
+std::vector<std::string> tetgen_files(const TetgenPaths& paths, const MeshData& mesh) {
+  std::vector<std::string> files{paths.node, paths.ele};
+  if (has_lower(mesh, 2)) files.push_back(paths.face);
+  if (has_lower(mesh, 1)) files.push_back(paths.edge);
+  return files;
+}
+
 void write_tetgen_files(const TetgenPaths& paths, const MeshData& mesh) {
   Output nodes(paths.node), simplices(paths.ele);
   std::optional<Output> faces, edges;

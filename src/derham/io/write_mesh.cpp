@@ -112,6 +112,11 @@ void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format
   file.commit();
 }
 
+std::vector<std::string> written_files(const std::string& path, const MeshData& mesh, MeshFormat format) {
+  if (format == MeshFormat::tetgen && path != "-") return tetgen_files(tetgen_paths(path), mesh);
+  return {path};
+}
+
 void write_mesh(const std::string& path, const MeshData& mesh) {
   const auto format = format_by_extension(path);
   if (!format)

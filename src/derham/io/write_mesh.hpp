@@ -13,7 +13,7 @@ namespace derham {
 /// (AtomicFile); doubles are written so that they read back to the same bits. Vertices and rows are numbered afresh in
 /// their order.
 ///
-/// tetgen   both NAME.node and NAME.ele, whichever `path` names; triangles with m = 2 or 3, tetrahedra with m = 3.
+/// tetgen   both NAME.node and NAME.ele, whichever `path` names (a `path` of neither kind is NAME itself); triangles with m = 2 or 3, tetrahedra with m = 3.
 ///          NAME.face and NAME.edge if `lower` has faces or edges; if not, those of an older mesh are removed, lest they
 ///          be read with this one. Parts are markers (of the rows: an attribute, if there are no fields on rows), as for
 ///          medit; fields are attributes. To standard output only nodes and simplices
@@ -21,7 +21,9 @@ namespace derham {
 ///          order), 2.2 unless `gmsh_41`. Row i is element i+1; lower simplices, parts and fields follow, a vertex in a
 ///          part as a point. Parts whose number is not from 1 to 2^31-1 get the next free one. Names are written as they
 ///          are, without control characters and at most 127 bytes long; the programs of others may end a name at a quote
-///          within it. Fields of finite values and up to 9 components, padded with zeros to 1, 3 or 9.
+///          within it. Fields of finite values and up to 9 components, padded with zeros to 1, 3 or 9. A simplex in several
+///          parts is listed once for each in 2.2; in 4.1 it is not, but there may not be thousands of parts on many of them
+///          (InputError).
 /// medit    n = 1 to 3; m <= 3 (padded to 2); parts as references: the number of the first part a simplex is in
 /// off, obj n <= 2
 /// ply      n <= 2; doubles, binary unless asked otherwise; fields are properties, one per component, whose
@@ -40,7 +42,12 @@ namespace derham {
 ///          FileError if the file cannot be written
 void write_mesh(const std::string& path, const MeshData& mesh, MeshFormat format, const WriteOptions& options = {});
 
-/// What of `mesh` a file of this format cannot hold though it can hold the mesh, one sentence each: parts, fields, ….
+/// The files that `write_mesh` then leaves: `path`, or those of a TetGen mesh.
+[[nodiscard]] std::vector<std::string> written_files(const std::string& path, const MeshData& mesh, MeshFormat format);
+
+/// What of `mesh` a file of this format cannot hold though it can hold the mesh, one sentence each: parts, fields, …. All
+/// that is not named there comes back when the file is read (but for notes, the order of parts and of fields, and
+/// numbers of vertices or rows that only count from 0 or 1).
 [[nodiscard]] std::vector<std::string> not_carried(const MeshData& mesh, MeshFormat format,
                                                    const WriteOptions& options = {});
 
