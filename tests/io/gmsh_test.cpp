@@ -97,6 +97,42 @@ TEST(Gmsh, AnElementOfSeveralGroupsIsOneSimplex) {
   refused(with("2\n1 1 0 1 2\n1 2 0 1 2 3\n"), 13, "element number 1 is given twice with other nodes");
 }
 
+TEST(Gmsh, SplitsQuadranglesOnlyWhenAsked) {
+  const std::string square = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n";
+  const std::string data = "$ElementData\n1\n\"T\"\n0\n3\n0\n1\n3\n5 .5\n6 .6\n7 .7\n$EndElementData\n";
+  const std::string bytes = header + square +
+                            "$Elements\n4\n5 2 2 1 1 1 2 3\n6 3 2 8 1 1 2 3 4\n7 2 2 1 1 4 2 3\n6 3 2 9 1 1 2 3 4\n"
+                            "$EndElements\n" +
+                            data;
+  refused(bytes, 14, "a quadrangle; expected");
+  refused(bytes, 14, "(--triangulate, ReadOptions::triangulate)");
+  const ReadOptions options{.triangulate = true};
+  const auto mesh = read_mesh_from_memory(bytes, MeshFormat::gmsh, "mesh", options);
+  EXPECT_EQ(mesh.simplices, (SimplexList{{0, 1, 2}, {0, 1, 2}, {0, 2, 3}, {3, 1, 2}}));
+  EXPECT_EQ(mesh.row_tags, (std::vector<std::int64_t>{5, 6, 6, 7}));
+  EXPECT_EQ(mesh.parts, (std::vector<MeshPart>{{"", 1, 2, {0, 3}}, {"", 8, 2, {1, 2}}, {"", 9, 2, {1, 2}}}));
+  EXPECT_EQ(mesh.fields, (std::vector<MeshField>{{"T", MeshField::On::rows, 1, {0.5, 0.6, 0.6, 0.7}}}));
+  EXPECT_EQ(mesh.notes.back(), "split 1 quadrangles into 2 triangles");
+  // A number has one element: no other fourth corner, and no triangle.
+  for (const auto* again : {"6 3 2 9 1 1 2 3 1", "6 2 2 9 1 1 2 3"}) {
+    auto other = bytes;
+    other.replace(other.find("6 3 2 9 1 1 2 3 4"), 17, again);
+    EXPECT_THROW((void)read_mesh_from_memory(other, MeshFormat::gmsh, "mesh", options), FileError) << again;
+  }
+  // Beside tetrahedra; in format 4.1.
+  const auto lower =
+      read_mesh_from_memory(header + square + "$Elements\n2\n1 3 2 8 1 1 2 3 4\n2 4 2 0 1 1 2 3 4\n$EndElements\n",
+                            MeshFormat::gmsh, "mesh", options);
+  EXPECT_EQ(lower.lower.at(2), (SimplexList{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(lower.parts, (std::vector<MeshPart>{{"", 8, 2, {0, 1}}}));
+  const auto blocks = read_mesh_from_memory(
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 "
+      "0\n$EndNodes\n"
+      "$Elements\n1 1 1 1\n2 1 3 1\n1 1 2 3 4\n$EndElements\n",
+      MeshFormat::gmsh, "mesh", options);
+  EXPECT_EQ(blocks.simplices, (SimplexList{{0, 1, 2}, {0, 2, 3}}));
+}
+
 TEST(Gmsh, KeepsTheCornersOfElementsOfHigherOrderOnRequest) {
   const std::string bytes = header +
                             "$Nodes\n7\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 .5 0 0\n5 .5 .5 0\n6 0 .5 0\n7 9 9 9\n$EndNodes\n"

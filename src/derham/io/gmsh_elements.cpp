@@ -35,9 +35,11 @@ constexpr auto type_table = [] {
   return table;
 }();
 
+constexpr std::int64_t quadrangle = 3;
+
 const char* other_name(std::int64_t type) {
   switch (type) {
-    case 3:
+    case quadrangle:
       return "a quadrangle";
     case 5:
       return "a hexahedron";
@@ -52,18 +54,20 @@ const char* other_name(std::int64_t type) {
 
 }  // namespace
 
-GmshType gmsh_type(std::int64_t type, bool corner_nodes) noexcept {
+GmshType gmsh_type(std::int64_t type, const ReadOptions& options) noexcept {
+  if (type == quadrangle && options.triangulate) return {2, 4};
   if (type < 0 || type >= std::ssize(type_table)) return {-1, 0};
   const auto found = type_table[static_cast<std::size_t>(type)];
-  return found.nodes == found.degree + 1 || corner_nodes ? found : GmshType{-1, 0};
+  return found.nodes == found.degree + 1 || options.corner_nodes ? found : GmshType{-1, 0};
 }
 
 void fail_gmsh_type(const Cursor& file, std::int64_t type) {
-  if (const auto found = gmsh_type(type, true); found.degree >= 0)
+  if (const auto found = gmsh_type(type, {.corner_nodes = true}); found.degree >= 0)
     file.fail(text("element type ", type, " is a ", static_cast<int>(found.degree), "-simplex of higher order with ",
                    found.nodes, " nodes; expected first order: mesh with gmsh -order 1, or ", keep_corner_nodes));
   file.fail(text("element type ", type, " is ", other_name(type),
-                 "; expected points (15), lines (1), triangles (2) or tetrahedra (4): mesh with simplices"));
+                 "; expected points (15), lines (1), triangles (2) or tetrahedra (4): mesh with simplices",
+                 type == quadrangle ? text(", or have them ", split_on_reading) : ""));
 }
 
 bool GmshElements::must_read_again() {
@@ -76,18 +80,34 @@ bool GmshElements::must_read_again() {
   if (repeated_.empty()) return false;
   first_.resize(repeated_.size());
   simplices_.clear_simplices();
+  quadrangles_.clear();
   higher_order_ = 0;
   return true;
 }
 
-Index GmshElements::add_repeated(std::span<const Index> row, std::int64_t tag) {
+Index GmshElements::add_quadrangle(std::span<const Index> row, std::int64_t tag, Index fourth) {
+  is_ascending_ &= tag > last_;
+  last_ = tag;
+  const Index next = simplices_.size(2);
+  const Index position = repeated_.empty() ? simplices_.add(row, tag) : add_repeated(row, tag, fourth);
+  if (position == next) quadrangles_.push_back({position, fourth});
+  return position;
+}
+
+Index GmshElements::fourth_corner(Index position) const noexcept {
+  const auto found = std::ranges::lower_bound(quadrangles_, position, {}, &GmshQuadrangle::position);
+  return found == quadrangles_.end() || found->position != position ? -1 : found->fourth_corner;
+}
+
+Index GmshElements::add_repeated(std::span<const Index> row, std::int64_t tag, Index fourth) {
   const auto found = std::ranges::lower_bound(repeated_, tag);
   if (found == repeated_.end() || *found != tag) return simplices_.add(row, tag);
   auto& first = first_[static_cast<std::size_t>(found - repeated_.begin())];
   const auto degree = static_cast<int>(row.size()) - 1;
   if (first.degree < 0) {
     first = {degree, simplices_.add(row, tag)};
-  } else if (first.degree != degree || !std::ranges::equal(simplices_.row(degree, first.position), row)) {
+  } else if (first.degree != degree || !std::ranges::equal(simplices_.row(degree, first.position), row) ||
+             (degree == 2 && fourth_corner(first.position) != fourth)) {
     return -1;
   } else {
     ++merged_;

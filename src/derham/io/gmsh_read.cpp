@@ -53,6 +53,7 @@ MeshData finished(GmshReading reading) {
       mesh.notes.push_back(text("dropped physical group ", part.number, " of dimension ", part.degree, " (",
                                 quoted_token(part.name), "): it has no elements"));
   std::erase_if(mesh.parts, [&](const MeshPart& part) { return part.degree > mesh.simplices.dimension(); });
+  split_quadrangles(mesh, reading.elements.quadrangles());
   drop_mid_nodes(mesh, reading.elements.higher_order(), "elements");
   return std::move(mesh);
 }

@@ -43,21 +43,19 @@ void read_text_elements(GmshReading& reading, Index count) {
     reading.input.next_record("elements", i, count);
     const auto number = file.integer("an element number", 0, any);
     const auto type_number = file.integer("an element type");
-    const auto type = gmsh_type(type_number, reading.options.corner_nodes);
+    const auto type = gmsh_type(type_number, reading.options);
     if (type.degree < 0) fail_gmsh_type(file, type_number);
     const auto tags = file.integer("the number of tags", 0, any);
     const auto group = tags > 0 ? file.integer("a physical group", lowest_group, highest_group) : 0;
     for (std::int64_t tag = 1; tag < tags; ++tag) (void)file.integer("a tag");
-    const int corners = type.degree + 1;
     for (int v = 0; v < type.nodes; ++v) {
       const Index node = reading.node(file.integer("a node number"));
-      if (v < corners) row[static_cast<std::size_t>(v)] = node;
+      if (v < 4) row[static_cast<std::size_t>(v)] = node;
     }
     file.end_line();
-    elements.count_higher_order(type.nodes > corners ? 1 : 0);
+    elements.count_higher_order(type.is_higher_order() ? 1 : 0);
     elements.expect(type.degree, count - i);
-    const auto used = std::span(row).first(static_cast<std::size_t>(corners));
-    const Index position = elements.add(used, number);
+    const Index position = elements.add(type, row, number);
     if (position < 0) reading.fail_repeated_element(number);
     reading.add_to_group(type.degree, group, position);
   }
@@ -77,7 +75,7 @@ Index read_block(GmshReading& reading, Index left) {
     file.rewind(start);
     file.fail(message);
   };
-  const auto type = gmsh_type(type_number, reading.options.corner_nodes);
+  const auto type = gmsh_type(type_number, reading.options);
   if (type.degree < 0) {
     file.rewind(start);
     fail_gmsh_type(file, type_number);
@@ -88,8 +86,7 @@ Index read_block(GmshReading& reading, Index left) {
   const auto first = file.offset();
   at = file.bytes(record * count, "a block of elements").data();
 
-  const int corners = type.degree + 1;
-  elements.count_higher_order(type.nodes > corners ? count : 0);
+  elements.count_higher_order(type.is_higher_order() ? count : 0);
   elements.expect(type.degree, std::min(left, static_cast<Index>(count + file.remaining() / record)));
   std::array<Index, 4> row{};
   for (Index i = 0; i < count; ++i, at += record) {
@@ -104,10 +101,9 @@ Index read_block(GmshReading& reading, Index left) {
       const auto tag = load<std::int32_t>(node, swap);
       const Index position = (*reading.nodes)[tag];
       if (position < 0) refuse_element([&] { reading.fail_node(tag); });
-      if (v < corners) row[static_cast<std::size_t>(v)] = position;
+      if (v < 4) row[static_cast<std::size_t>(v)] = position;
     }
-    const auto used = std::span(row).first(static_cast<std::size_t>(corners));
-    const Index position = elements.add(used, number);
+    const Index position = elements.add(type, row, number);
     if (position < 0) refuse_element([&] { reading.fail_repeated_element(number); });
     reading.add_to_group(type.degree, tags > 0 ? load<std::int32_t>(at + 4, swap) : 0, position);
   }

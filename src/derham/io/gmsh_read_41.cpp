@@ -125,8 +125,8 @@ struct ElementBlock {
 };
 
 // Puts an element into the mesh; false if its number belongs to another.
-bool place(GmshReading& reading, const ElementBlock& block, std::span<const Index> row, std::int64_t number) {
-  const Index position = reading.elements.add(row, number);
+bool place(GmshReading& reading, const ElementBlock& block, const std::array<Index, 4>& row, std::int64_t number) {
+  const Index position = reading.elements.add(block.type, row, number);
   if (position < 0) return false;
   if (block.groups != nullptr)
     for (const auto group : *block.groups) reading.add_to_group(block.type.degree, group, position);
@@ -135,17 +135,16 @@ bool place(GmshReading& reading, const ElementBlock& block, std::span<const Inde
 
 void read_text_elements(GmshReading& reading, const ElementBlock& block) {
   auto& file = reading.input.file;
-  const auto corners = static_cast<std::size_t>(block.type.degree) + 1;
   std::array<Index, 4> row{};
   for (Index i = 0; i < block.count; ++i) {
     reading.input.next_record("elements of this block", i, block.count);
     const auto number = file.integer("an element number", 0, any);
     for (std::size_t v = 0; v < static_cast<std::size_t>(block.type.nodes); ++v) {
       const Index node = reading.node(file.integer("a node number"));
-      if (v < corners) row[v] = node;
+      if (v < 4) row[v] = node;
     }
     file.end_line();
-    if (!place(reading, block, std::span(row).first(corners), number)) reading.fail_repeated_element(number);
+    if (!place(reading, block, row, number)) reading.fail_repeated_element(number);
   }
 }
 
@@ -156,7 +155,6 @@ void read_binary_elements(GmshReading& reading, const ElementBlock& block) {
   const auto width = input.size_width();
   const auto record = std::int64_t{width} * (1 + block.type.nodes);
   const char* at = file.bytes(record * block.count, "a block of elements").data();
-  const auto corners = static_cast<std::size_t>(block.type.degree) + 1;
   std::array<Index, 4> row{};
   for (Index i = 0; i < block.count; ++i, at += record) {
     const auto go_back = [&] { file.rewind(start + record * i); };
@@ -173,9 +171,9 @@ void read_binary_elements(GmshReading& reading, const ElementBlock& block) {
         go_back();
         reading.fail_node(tag);
       }
-      if (v < corners) row[v] = position;
+      if (v < 4) row[v] = position;
     }
-    if (!place(reading, block, std::span(row).first(corners), number)) {
+    if (!place(reading, block, row, number)) {
       go_back();
       reading.fail_repeated_element(number);
     }
@@ -192,7 +190,7 @@ void read_element_blocks(GmshReading& reading, Index blocks, Index count) {
     const auto start = input.file.offset();
     const auto header =
         read_block_header(reading, "the type of elements", "the number of elements of a block", count - done);
-    const auto type = gmsh_type(header.kind, reading.options.corner_nodes);
+    const auto type = gmsh_type(header.kind, reading.options);
     if (type.degree != header.dimension) {
       input.file.rewind(start);
       if (type.degree < 0) fail_gmsh_type(input.file, header.kind);
@@ -208,7 +206,7 @@ void read_element_blocks(GmshReading& reading, Index blocks, Index count) {
                            " physical groups in all; expected at most ", most_memberships, ", ",
                            gmsh_memberships_per_byte, " per byte of the file"));
     }
-    reading.elements.count_higher_order(type.nodes > type.degree + 1 ? block.count : 0);
+    reading.elements.count_higher_order(type.is_higher_order() ? block.count : 0);
     reading.elements.expect(type.degree, count - done);
     if (input.is_binary())
       read_binary_elements(reading, block);

@@ -12,20 +12,23 @@ namespace derham {
 
 /// The mesh in a file; `path` "-" is standard input. Without `format` it is detected (see `detect_format`).
 ///
-/// tetgen   `path` is NAME.node or NAME.ele, the other is found beside it, NAME.face and NAME.edge where they exist (they
-///          become `lower`). Nodes are numbered from 0 or 1, as the first one says. Triangles (m = 2 or 3) or tetrahedra
+/// tetgen   `path` is NAME.node or NAME.ele, the other is found beside it (NAME.NODE beside NAME.ELE), NAME.face and
+///          NAME.edge where they exist (they become `lower`). Nodes are numbered from 0 or 1, as the first one says. Triangles (m = 2 or 3) or tetrahedra
 ///          (m = 3). Markers other than 0 become parts. Attributes become fields "attribute 1"…; but a single attribute
-///          of the simplices that is integral throughout is TetGen's region: parts, 0 being none. On standard input the
-///          .ele file follows the .node file; faces and edges cannot.
+///          of the simplices whose values all are integers (of 64 bits; written as reals, of 53) is TetGen's region: parts, 0
+///          being none. Simplices of 6 or 10 nodes see `corner_nodes` (as for gmsh). On standard input the .ele file
+///          follows the .node file; faces and edges cannot.
 /// gmsh     .msh 2.2 and 4.1, text and binary of either byte order, m = 3 also for planar meshes. Points, lines, triangles
-///          and tetrahedra; physical groups are parts (a negative number is that of the group), $NodeData and $ElementData
-///          are fields, of which all values must be there; of several time steps the last is kept. An element that is
+///          and tetrahedra; quadrangles see `triangulate`: both triangles have the number, groups and data. Physical groups are parts (a negative number is that of the group), $NodeData and $ElementData
+///          are fields; those without a value for every node or row are dropped and noted; of several time steps the last is
+///          kept. An element that is
 ///          listed again (2.2 does so for every group it is in) is one simplex. Partitions are read as one mesh; sections
 ///          without a place in MeshData ($Periodic, $ElementNodeData, …) are skipped, with a note. Simplices of higher
-///          order only with `corner_nodes`: then nodes that no simplex of the highest dimension uses are dropped.
-/// medit    .mesh, ASCII, m = 2 or 3: edges, triangles, tetrahedra; references other than 0 become parts, also those of
-///          the vertices. Corners, ridges, normals and the like are skipped and noted; quadrilaterals are split if
-///          `triangulate` is set.
+///          order only with `corner_nodes`: then nodes that no simplex of the highest dimension uses are dropped. In 4.1 the
+///          elements may be in 16 groups in all per byte of the file.
+/// medit    .mesh, ASCII, m = 2 or 3: edges, triangles, tetrahedra, each in one section or in several; references other
+///          than 0 become parts, also those of the vertices. Corners, ridges, normals and the like are skipped and noted;
+///          quadrilaterals see `triangulate`, EdgesP2, TrianglesP2 and TetrahedraP2 `corner_nodes` (as for gmsh).
 /// vtk      legacy, ASCII and binary, versions 1.0 to 5.1; UNSTRUCTURED_GRID and POLYDATA, m = 3. Vertices, lines,
 ///          triangles, tetrahedra; polygons and quadrilaterals see `triangulate`, cells of higher order `corner_nodes` (as
 ///          for gmsh). Arrays of numbers on points and cells become fields, integers that no double holds being rounded
