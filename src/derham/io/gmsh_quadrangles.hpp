@@ -1,9 +1,9 @@
 #pragma once
 
+#include "derham/core/types.hpp"
 #include "derham/geometry/mesh_data.hpp"
 
 #include <span>
-#include <utility>
 
 namespace derham {
 
