@@ -80,11 +80,15 @@ class Damager {
 
   // A number in binary: of 4 or 8 bytes, in either order.
   void replace_bytes_of_number(std::string& bytes, std::size_t at) {
-    constexpr std::array<std::int64_t, 9> values{
-        -1, 0, std::int64_t{1} << 31, std::int64_t{1} << 32, 1'000'000'000, std::int64_t{1} << 62,
-        0x7ff8000000000000,   // nan
-        0x7ff0000000000000,   // infinity
-        0x7fc000007f800000};  // nan and infinity in 32 bits
+    constexpr std::array<std::int64_t, 9> values{-1,
+                                                 0,
+                                                 std::int64_t{1} << 31,
+                                                 std::int64_t{1} << 32,
+                                                 1'000'000'000,
+                                                 std::int64_t{1} << 62,
+                                                 0x7ff8000000000000,   // nan
+                                                 0x7ff0000000000000,   // infinity
+                                                 0x7fc000007f800000};  // nan and infinity in 32 bits
     std::array<char, 8> number{};
     const auto value = values[below(values.size())];
     std::memcpy(number.data(), &value, sizeof value);
@@ -115,8 +119,8 @@ class Damager {
                                                        "1e-320",
                                                        std::string(300, '7')};
   inline static const std::vector<std::string> words{
-      "$EndNodes", "$Elements", "OFF", "f", "v", "#", "\n", "\r", "\t", "/", "//", " ", "\"", "<", "-1 ",
-      " 0 ", " 1e400 ", std::string(1, '\0')};
+      "$EndNodes", "$Elements", "OFF", "f",  "v", "#",   "\n",  "\r",      "\t",
+      "/",         "//",        " ",   "\"", "<", "-1 ", " 0 ", " 1e400 ", std::string(1, '\0')};
 
   std::mt19937 random_;
 };

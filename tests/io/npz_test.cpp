@@ -99,8 +99,8 @@ MeshData rich_mesh() {
   mesh.points[1] = std::numeric_limits<double>::denorm_min();
   mesh.vertex_tags = {10, -3, 7, 8, std::numeric_limits<std::int64_t>::max()};
   mesh.row_tags = {4, 5};
-  mesh.forms.push_back({"a_b", 0, false, {std::numeric_limits<double>::infinity()}});
-  mesh.forms.push_back({"", 3, false, {}});
+  mesh.forms.push_back({"a_b", 0, false, std::vector<double>(5, std::numeric_limits<double>::infinity())});
+  mesh.forms.push_back({"", 3, false, {1, 2}});
   mesh.fields.push_back({"with/slash und ü", MeshField::On::vertices, 2, std::vector<double>(10, 0.1)});
   mesh.parts.push_back({"some vertices", 1, 0, {0, 4}});
   mesh.parts.push_back({"nothing", 2, 1, {}});
@@ -293,6 +293,15 @@ TEST(Npz, RefusesArraysThatDoNotFitTheMesh) {
   refused(with("row_data_u", npy_of("{'descr': '<u8', 'fortran_order': False, 'shape': (1,)}", std::string(8, '\xff'))),
           "the integer 18446744073709551615, which no double holds");
   refused(with("form_u_1_primal", npy<double>({1, 1}, {0})), "a number for every simplex");
+  refused(with("form_u_0_primal", npy<double>({2}, {0, 1})),
+          "a primal 0-form with 2 values; expected 3, one for every vertex");
+  refused(with("form_u_2_dual", npy<double>({2}, {0, 1})),
+          "a dual 2-form with 2 values; expected 3, one for every vertex");
+  refused(with("form_u_0_dual", npy<double>({2}, {0, 1})),
+          "a dual 0-form with 2 values; expected 1, one for every row");
+  refused(with("form_u_3_primal", npy<double>({1}, {0})), "a form of degree 3 on a mesh of dimension 2");
+  refused(with("edge_lengths_squared", npy<double>({3}, {0, 1, -1})),
+          "number 2 of the array is -1; expected squares of lengths");
   for (const auto* name : {"form_u", "form_u_1", "form_u_x_dual", "form_u_7_dual", "form_1_dual", "lower_2"})
     EXPECT_EQ(read(with(name, triangle)).notes.size(), 1U) << name;
 }

@@ -43,10 +43,13 @@ TEST(UnusedVertices, SaysWhatGoesWithThem) {
   mesh.vertex_count = 4;
   mesh.simplices = SimplexList{{0, 1, 3}};
   mesh.lower = {SimplexList{{2}, {3}}, SimplexList{{0, 1}, {1, 2}}};
+  mesh.forms = {{"u", 0, false, {5, 6, 7, 8}}, {"v", 2, true, {5, 6, 7, 8}}, {"w", 2, false, {9}}};
   mesh.parts = {{"ends", 1, 0, {0, 2}}, {"sides", 1, 1, {0, 1}}};
   EXPECT_EQ(drop_unused_vertices(mesh), 1);
   EXPECT_EQ(mesh.lower, (std::vector<SimplexList>{SimplexList{{2}}, SimplexList{{0, 1}}}));
   EXPECT_EQ(mesh.parts, (std::vector<MeshPart>{{"ends", 1, 0, {0}}, {"sides", 1, 1, {0}}}));
+  EXPECT_EQ(mesh.forms,
+            (std::vector<MeshForm>{{"u", 0, false, {5, 6, 8}}, {"v", 2, true, {5, 6, 8}}, {"w", 2, false, {9}}}));
   EXPECT_EQ(mesh.notes, (std::vector<std::string>{
                             "with the unused vertices went 2 simplices of lower dimension and 2 members of parts"}));
   EXPECT_EQ(drop_unused_vertices(mesh), 0);

@@ -18,6 +18,8 @@ class ByteStream {
   /// not base64; `offset` then says where it ended.
   [[nodiscard]] bool take(std::int64_t count, std::string& room, std::string_view& bytes);
 
+  [[nodiscard]] bool is_base64() const noexcept { return is_base64_; }
+
   /// No more bytes than this are left.
   [[nodiscard]] std::int64_t bound() const noexcept;
 

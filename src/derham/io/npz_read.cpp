@@ -1,5 +1,6 @@
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
+#include "derham/io/form_size.hpp"
 #include "derham/io/formats.hpp"
 #include "derham/io/npz_arrays.hpp"
 
@@ -92,6 +93,10 @@ class Reader {
     arrays_.with("edge_lengths_squared", [&](const NpyArray& array, const NpyFail& fail) {
       require_shape(array, {array.shape.empty() ? 0 : array.shape[0]}, ", a number for every edge", fail);
       mesh_.edge_lengths_squared = npz_reals(array, true, fail);
+      const auto negative = std::ranges::find_if(mesh_.edge_lengths_squared, [](double square) { return square < 0; });
+      if (negative != mesh_.edge_lengths_squared.end())
+        fail(text("number ", negative - mesh_.edge_lengths_squared.begin(), " of the array is ", *negative,
+                  "; expected squares of lengths"));
     });
   }
 
@@ -217,6 +222,7 @@ class Reader {
     arrays_.with(name, [&](const NpyArray& array, const NpyFail& fail) {
       require_shape(array, {array.shape.empty() ? 0 : array.shape[0]}, ", a number for every simplex", fail);
       form.values = npz_reals(array, false, fail);
+      if (const auto defect = form_defect(mesh_, form); !defect.empty()) fail("the array is " + defect);
     });
     mesh_.forms.push_back(std::move(form));
     return true;

@@ -75,14 +75,14 @@ Offset NumberArray::reals(Offset count, const char* what, bool is_finite, std::v
     }
     return rounded;
   }
-  with_numbers(bytes_, type_, swap_, [&](auto numbers) {
+  pieces(count, [&](Offset first, Offset size, auto numbers) {
     using Number = decltype(numbers[0]);
-    for (Offset i = 0; i < count; ++i) {
+    for (Offset i = 0; i < size; ++i) {
       const Number number = numbers[static_cast<std::size_t>(i)];
       if constexpr (std::is_integral_v<Number> && sizeof(Number) == 8)
-        put_integer(i, number);
+        put_integer(first + i, number);
       else
-        to[i] = static_cast<double>(number);
+        to[first + i] = static_cast<double>(number);
     }
   });
   for (Offset i = 0; is_finite && i < count; ++i)

@@ -6,23 +6,38 @@
 #include "derham/io/cursor.hpp"
 #include "derham/io/number_block.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace derham {
 
-/// An array of numbers of a VTK file: text, its first number the next token of `file`, or bytes, decoded already.
+/// An array of numbers of a VTK file: text, its first number the next token of `file`, or bytes.
 class NumberArray {
  public:
+  /// The bytes of the next numbers, at least of one and of none in part, until the next call. Asked for only as long as
+  /// numbers are missing.
+  using NextBytes = std::function<std::string_view()>;
+
   /// Text. The caller has checked that the rest of the file can hold the numbers.
   NumberArray(Cursor& file, NumberType type) : file_(file), type_(type) {}
 
-  /// Bytes; `offset` is where they stand in the file, for messages, or -1 if they are not part of it.
+  /// All bytes at once, which stand at `offset` in the file.
   NumberArray(Cursor& file, std::string_view bytes, NumberType type, bool swap, std::int64_t offset)
-      : file_(file), is_text_(false), bytes_(bytes), type_(type), swap_(swap), offset_(offset) {}
+      : NumberArray(
+            file, [bytes] { return bytes; }, type, swap) {
+    offset_ = offset;
+  }
+
+  /// Bytes that are no part of the file as they are, piece by piece: so they need never be in memory as a whole.
+  NumberArray(Cursor& file, NextBytes next, NumberType type, bool swap)
+      : file_(file), is_text_(false), next_(std::move(next)), type_(type), swap_(swap) {}
 
   /// Calls `use(value)` for each of `count` integers; a value for which it returns false is refused, with `expected`.
   template <class Use>
@@ -39,14 +54,14 @@ class NumberArray {
       }
       return;
     }
-    with_numbers(bytes_, type_, swap_, [&](auto numbers) {
+    pieces(count, [&](Offset first, Offset size, auto numbers) {
       using Number = decltype(numbers[0]);
       if constexpr (std::is_integral_v<Number>)
-        for (Offset i = 0; i < count; ++i) {
+        for (Offset i = 0; i < size; ++i) {
           // Beyond the range of 64 bits with sign it becomes negative, which nothing here may be.
           // NOLINTNEXTLINE(bugprone-signed-char-misuse): 8-bit integers are numbers here
           const auto value = static_cast<std::int64_t>(numbers[static_cast<std::size_t>(i)]);
-          if (!use(value)) fail(i, text(what, " is ", value, ", ", expected));
+          if (!use(value)) fail(first + i, text(what, " is ", value, ", ", expected));
         }
     });
   }
@@ -66,6 +81,16 @@ class NumberArray {
   [[noreturn]] void fail(Offset i, const std::string& message);
 
  private:
+  // Calls `use(first, size, numbers)` for the numbers from `first` on, until it has been called for `count`.
+  template <class Use>
+  void pieces(Offset count, Use use) {
+    for (Offset first = 0, size = 0; first < count; first += size) {
+      const auto bytes = next_();
+      size = std::min(count - first, static_cast<Offset>(bytes.size()) / byte_width(type_));
+      with_numbers(bytes, type_, swap_, [&](auto numbers) { use(first, size, numbers); });
+    }
+  }
+
   [[nodiscard]] Offset reals(Offset count, const char* what, bool is_finite, std::vector<double>& out);
 
   // The next integer of a text, within the range of its type.
@@ -74,10 +99,10 @@ class NumberArray {
 
   Cursor& file_;
   bool is_text_ = true;
-  std::string_view bytes_;
+  NextBytes next_;
   NumberType type_ = NumberType::float64;
   bool swap_ = false;
-  std::int64_t offset_ = -1;
+  std::int64_t offset_ = -1;  // of bytes in the file
 };
 
 /// Says in the notes how many integers of an array were rounded, if any.

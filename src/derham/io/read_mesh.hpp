@@ -47,12 +47,13 @@ namespace derham {
 ///          appear, and the notes say so; triangles that become flat stay. Several solids are parts. Normals are skipped.
 /// facets   m = 0 (abstract): one simplex of 1 to 7 vertex ids per line, dimensions may be mixed; no line: empty complex.
 /// npz      arrays of numpy in a zip archive, stored or deflated, of any integer type, float64 or float32, either byte order
-///          and either order of axes; integers may stand for real numbers where a double holds them. `simplices` (rows, n+1); `points` (vertices, m), or for periodic meshes `corners`
-///          (rows, n+1, m), or neither: abstract; `vertex_count` () where there are no points; `edge_lengths_squared`
-///          (edges,); `vertex_tags`, `row_tags`; `lower_<k>` (count, k+1); `point_data_<name>` and `row_data_<name>`
-///          (items,) or (items, components); `form_<name>_<degree>_<primal|dual>`. Parts: `part_numbers`,
-///          `part_degrees`, `part_names` (P,), and `part_members`, of which part i has those from part_offsets[i] up to
-///          part_offsets[i+1]. Other arrays are skipped and noted.
+///          and either order of axes; integers may stand for real numbers where a double holds them. `simplices`
+///          (rows, n+1); `points` (vertices, m), or for periodic meshes `corners` (rows, n+1, m), or neither: abstract;
+///          `vertex_count` () where there are no points; `edge_lengths_squared` (edges,), none negative; `vertex_tags`,
+///          `row_tags`; `lower_<k>` (count, k+1); `point_data_<name>` and `row_data_<name>` (items,) or (items,
+///          components); `form_<name>_<degree>_<primal|dual>` (simplices,), the count checked for values on vertices and
+///          on rows. Parts: `part_numbers`, `part_degrees`, `part_names` (P,), and `part_members`, of which part i has
+///          those from part_offsets[i] up to part_offsets[i+1]. Other arrays are skipped and noted.
 ///
 /// The simplices of the highest dimension in the file are the rows, in the file's order (facets: every line is a row);
 /// `lower` and `parts` hold the others and what they name. `vertex_tags` and `row_tags` hold the numbers that the file

@@ -2,6 +2,7 @@
 
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
+#include "derham/io/form_size.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -117,6 +118,9 @@ Index drop_unused_vertices(MeshData& mesh) {
   if (mesh.has_points()) mesh.points = kept(mesh.points, mesh.ambient_dimension);
   for (auto& field : mesh.fields)
     if (field.on == MeshField::On::vertices) field.values = kept(field.values, field.components);
+  for (auto& form : mesh.forms)
+    if (simplex_degree(mesh, form) == 0 && static_cast<Offset>(form.values.size()) == Offset{mesh.vertex_count})
+      form.values = kept(form.values, 1);
   std::vector<std::int64_t> tags;
   tags.reserve(used.size());
   for (const Index v : used)

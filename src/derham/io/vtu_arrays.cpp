@@ -10,6 +10,8 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace derham {
 namespace {
@@ -66,12 +68,17 @@ void VtuArrays::read(const xml_node& array, Offset count, Offset components, con
   const Offset width = byte_width(*type);
   if (count > std::numeric_limits<Offset>::max() / largest_ratio / width / components)
     fail(array, text(count, " times ", components, " numbers are more than a file can hold"));
-  std::string room;
-  const auto data = bytes(array, count * components * width, room);
-  const bool is_in_file = room.empty() && !data.empty();
-  document_.stand_at(array);
-  NumberArray numbers(document_.file(), data, *type, swap_, is_in_file ? data.data() - document_.whole().data() : -1);
-  use(numbers);
+  const auto size = count * components * width;
+  ByteStream stream = stream_of(array);
+  if (size == 0) {
+    NumberArray none(document_.file(), std::string_view(), *type, swap_, 0);
+    return use(none);
+  }
+  if (is_compressed_)
+    read_compressed(array, stream, size, *type, use);
+  else
+    read_plain(array, stream, size, *type, use);
+  demand_end(array, stream);
 }
 
 void VtuArrays::read_text(const xml_node& array, Offset count, Offset components, NumberType type, const Use& use) {
@@ -88,28 +95,28 @@ void VtuArrays::read_text(const xml_node& array, Offset count, Offset components
   if (part.next_line()) part.fail_token("the end of the array", nullptr);
 }
 
-// The bytes of an array, which are in the file or in `room`.
-std::string_view VtuArrays::bytes(const xml_node& array, std::int64_t size, std::string& room) {
+ByteStream VtuArrays::stream_of(const xml_node& array) {
   const std::string_view format = array.attribute("format").value();
-  if (format == "binary") {
-    const auto encoded = document_.text_of(array);
-    ByteStream stream(encoded, true);
-    const auto data = take(array, stream, size, room);
-    if (size > 0 && !stream.at_end())
-      document_.fail_at(static_cast<std::size_t>(encoded.data() - document_.whole().data() + stream.offset()),
-                        "the array goes on after its last number");
-    return data;
-  }
+  if (format == "binary") return {document_.text_of(array), true};
   if (format != "appended")
     document_.fail_at(array, text("format is ", quoted_token(format), ", expected ascii, binary or appended"));
   const auto appended = document_.appended();
   const auto at = document_.number(array, "offset", -1);
   if (at > static_cast<std::int64_t>(appended.size()))
     document_.fail_at(array, text("offset is ", at, ", but there are ", appended.size(), " bytes of appended data"));
-  ByteStream stream(appended.substr(static_cast<std::size_t>(at)), appended_is_base64_);
-  const auto data = take(array, stream, size, room);
-  demand_unshared(array, at, at + stream.offset());
-  return data;
+  return {appended.substr(static_cast<std::size_t>(at)), appended_is_base64_};
+}
+
+// Between its tags an array is alone; appended it ends where the next one may begin.
+void VtuArrays::demand_end(const xml_node& array, ByteStream& stream) {
+  if (std::string_view(array.attribute("format").value()) == "appended") {
+    const auto at = document_.number(array, "offset", -1);
+    return demand_unshared(array, at, at + stream.offset());
+  }
+  if (!stream.at_end())
+    document_.fail_at(
+        static_cast<std::size_t>(document_.text_of(array).data() - document_.whole().data() + stream.offset()),
+        "the array goes on after its last number");
 }
 
 // Arrays that share bytes could take memory out of all proportion to the file.
@@ -122,18 +129,33 @@ void VtuArrays::demand_unshared(const xml_node& array, std::int64_t begin, std::
   taken_.emplace(begin, end);
 }
 
-// A header says how many bytes there are; they follow, perhaps in compressed blocks.
-std::string_view VtuArrays::take(const xml_node& array, ByteStream& stream, std::int64_t size, std::string& room) {
-  std::string_view data;
-  if (size == 0) return data;
-  if (is_compressed_) {
-    inflate(array, stream, size, room);
-    return room;
-  }
+// A header says how many bytes there are; they follow.
+void VtuArrays::read_plain(const xml_node& array, ByteStream& stream, std::int64_t size, NumberType type,
+                           const Use& use) {
   const auto announced = header_words(array, stream, 1)[0];
   if (announced != size) fail(array, text("has ", announced, " bytes, expected ", size));
-  if (!stream.take(size, room, data)) fail(array, text("its ", size, " bytes are cut short or are not base64"));
-  return data;
+  const auto refuse = [&] { fail(array, text("its ", size, " bytes are cut short or are not base64")); };
+  if (size > stream.bound()) refuse();
+  document_.stand_at(array);
+  std::string room;
+  std::string_view data;
+  if (!stream.is_base64()) {
+    if (!stream.take(size, room, data)) refuse();
+    NumberArray numbers(document_.file(), data, type, swap_, data.data() - document_.whole().data());
+    return use(numbers);
+  }
+  constexpr std::int64_t most_at_once = 3 << 16;
+  auto left = size;
+  NumberArray numbers(
+      document_.file(),
+      [&] {
+        const auto next = std::min(left, most_at_once);
+        if (!stream.take(next, room, data)) refuse();
+        left -= next;
+        return data;
+      },
+      type, swap_);
+  use(numbers);
 }
 
 std::vector<std::int64_t> VtuArrays::header_words(const xml_node& array, ByteStream& stream, std::int64_t count) {
@@ -150,8 +172,8 @@ std::vector<std::int64_t> VtuArrays::header_words(const xml_node& array, ByteStr
   return words;
 }
 
-void VtuArrays::inflate(const xml_node& array, ByteStream& stream, std::int64_t size, std::string& room) {
-  // The number of blocks, the size of each, of the last one (0: like the others).
+// The header of compressed data: the number of blocks, the size of each, of the last one (0: like the others).
+VtuArrays::ZlibBlocks VtuArrays::zlib_blocks(const xml_node& array, ByteStream& stream, std::int64_t size) {
   const auto first = header_words(array, stream, 3);
   const auto blocks = first[0], block_size = first[1], last_size = first[2];
   const auto overflow = std::numeric_limits<std::int64_t>::max() / largest_ratio;
@@ -159,25 +181,47 @@ void VtuArrays::inflate(const xml_node& array, ByteStream& stream, std::int64_t 
       (blocks - (last_size > 0 ? 1 : 0)) * block_size + last_size != size)
     fail(array, text("has ", blocks, " blocks of ", block_size, " bytes and one of ", last_size, "; expected ", size,
                      " bytes in all"));
-  const auto sizes = header_words(array, stream, blocks);
+  auto sizes = header_words(array, stream, blocks);
   std::int64_t compressed = 0;
   for (const auto s : sizes) {
     if (s < 0 || s > stream.bound() - compressed) fail(array, "its blocks are cut short");
     compressed += s;
   }
   if (size / largest_ratio > compressed) fail(array, text(compressed, " compressed bytes cannot become ", size));
-  room.resize(static_cast<std::size_t>(size));
-  std::string block_room;
-  std::string_view block;
-  for (std::int64_t i = 0; i < blocks; ++i) {
-    const auto begin = i * block_size, end = std::min(begin + block_size, size);
-    if (!stream.take(sizes[static_cast<std::size_t>(i)], block_room, block)) fail(array, "a block is not base64");
-    auto written = static_cast<uLongf>(end - begin);
-    const int status = ::uncompress(reinterpret_cast<Bytef*>(room.data() + begin), &written,
-                                    reinterpret_cast<const Bytef*>(block.data()), static_cast<uLong>(block.size()));
-    if (status != Z_OK || written != static_cast<uLongf>(end - begin))
-      fail(array, text("block ", i, " is not ", end - begin, " bytes compressed by zlib"));
-  }
+  return {block_size, std::move(sizes)};
+}
+
+void VtuArrays::read_compressed(const xml_node& array, ByteStream& stream, std::int64_t size, NumberType type,
+                                const Use& use) {
+  const auto blocks = zlib_blocks(array, stream, size);
+  document_.stand_at(array);
+  std::string packed_room, unpacked;
+  std::string_view packed;
+  std::size_t block = 0, used = 0;
+  // Appends what the next block becomes.
+  const auto unpack = [&] {
+    const auto expected = std::min(blocks.size, size - static_cast<std::int64_t>(block) * blocks.size);
+    if (!stream.take(blocks.compressed[block], packed_room, packed)) fail(array, "a block is not base64");
+    const auto begin = unpacked.size();
+    unpacked.resize(begin + static_cast<std::size_t>(expected));
+    auto written = static_cast<uLongf>(expected);
+    const int status = ::uncompress(reinterpret_cast<Bytef*>(unpacked.data() + begin), &written,
+                                    reinterpret_cast<const Bytef*>(packed.data()), static_cast<uLong>(packed.size()));
+    if (status != Z_OK || written != static_cast<uLongf>(expected))
+      fail(array, text("block ", block, " is not ", expected, " bytes compressed by zlib"));
+    ++block;
+  };
+  const auto width = static_cast<std::size_t>(byte_width(type));
+  NumberArray numbers(
+      document_.file(),
+      [&] {
+        unpacked.erase(0, used);  // what is left is a part of a number
+        while (unpacked.size() < width) unpack();
+        used = unpacked.size() / width * width;
+        return std::string_view(unpacked).substr(0, used);
+      },
+      type, swap_);
+  use(numbers);
 }
 
 }  // namespace derham

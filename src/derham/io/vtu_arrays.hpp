@@ -30,11 +30,18 @@ class VtuArrays {
 
  private:
   using Node = pugi::xml_node;
+  // The bytes of a compressed array: how many a block becomes, all but perhaps the last one, and those of every block.
+  struct ZlibBlocks {
+    std::int64_t size;
+    std::vector<std::int64_t> compressed;
+  };
   void read_text(const Node& array, Offset count, Offset components, NumberType type, const Use& use);
-  [[nodiscard]] std::string_view bytes(const Node& array, std::int64_t size, std::string& room);
-  [[nodiscard]] std::string_view take(const Node& array, ByteStream& stream, std::int64_t size, std::string& room);
-  void inflate(const Node& array, ByteStream& stream, std::int64_t size, std::string& room);
+  [[nodiscard]] ByteStream stream_of(const Node& array);
+  void read_plain(const Node& array, ByteStream& stream, std::int64_t size, NumberType type, const Use& use);
+  void read_compressed(const Node& array, ByteStream& stream, std::int64_t size, NumberType type, const Use& use);
+  void demand_end(const Node& array, ByteStream& stream);
   [[nodiscard]] std::vector<std::int64_t> header_words(const Node& array, ByteStream& stream, std::int64_t count);
+  [[nodiscard]] ZlibBlocks zlib_blocks(const Node& array, ByteStream& stream, std::int64_t size);
   void demand_unshared(const Node& array, std::int64_t begin, std::int64_t end);
   [[noreturn]] void fail(const Node& array, const std::string& message) const;
 

@@ -3,6 +3,7 @@
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/atomic_file.hpp"
+#include "derham/io/form_size.hpp"
 #include "derham/io/formats.hpp"
 #include "derham/io/text_writer.hpp"
 
@@ -46,6 +47,8 @@ void require_sound_lists(const MeshData& mesh) {
     if (field.components < 1 || static_cast<Offset>(field.values.size()) != items * field.components)
       refuse("a field of ", field.values.size(), " values, expected ", field.components, " for each of ", items);
   }
+  for (const auto& form : mesh.forms)
+    if (const auto defect = form_defect(mesh, form); !defect.empty()) refuse(defect);
 }
 
 // Two fields of one name would be one when they are read again.
