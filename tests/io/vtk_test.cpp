@@ -177,6 +177,11 @@ TEST(Vtk, WritesWhatItReads) {
   write_mesh(directory / "a.vtk", named, MeshFormat::vtk);
   EXPECT_EQ(read_mesh(directory / "a.vtk").fields[0].name, named.fields[0].name);
   EXPECT_EQ(not_carried(named, MeshFormat::vtk).size(), 1u);
+  named.fields[1].name = "";
+  EXPECT_EQ(not_carried(named, MeshFormat::vtk).at(1),
+            "format vtk does not hold the name of the field '': it becomes 'unnamed'");
+  write_mesh(directory / "a.vtk", named, MeshFormat::vtk);
+  EXPECT_EQ(read_mesh(directory / "a.vtk").fields[1].name, "unnamed");
   named.fields[0].values.pop_back();
   EXPECT_THROW(write_mesh(directory / "b.vtk", named, MeshFormat::vtk), InputError);
 }

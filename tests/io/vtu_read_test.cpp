@@ -85,6 +85,15 @@ TEST(VtuRead, WritesWhatItReads) {
     expect_sample(back);
     EXPECT_TRUE(back.notes.empty());
   }
+  EXPECT_TRUE(not_carried(mesh, MeshFormat::vtu).empty());
+  mesh.fields[0].name = "a\x01";
+  mesh.fields[1].name = "";
+  EXPECT_EQ(not_carried(mesh, MeshFormat::vtu),
+            (std::vector<std::string>{"format vtu does not hold the name of the field 'a\\x01': it becomes 'a '",
+                                      "format vtu does not hold the name of the field '': it becomes 'unnamed'"}));
+  write_mesh(directory / "a.vtu", mesh);
+  EXPECT_EQ(read_mesh(directory / "a.vtu").fields[0].name, "a ");
+  EXPECT_EQ(read_mesh(directory / "a.vtu").fields[1].name, "unnamed");
   mesh.fields[1].values.pop_back();
   EXPECT_THROW(write_mesh(directory / "b.vtu", mesh, MeshFormat::vtu), InputError);
 }

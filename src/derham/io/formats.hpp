@@ -55,6 +55,8 @@ void write_vtu(TextWriter& file, const MeshData& mesh, const WriteOptions& optio
 [[nodiscard]] std::vector<std::string> lost_in_tetgen(const MeshData& mesh, const WriteOptions& options);
 [[nodiscard]] std::vector<std::string> lost_in_gmsh(const MeshData& mesh, const WriteOptions& options);
 [[nodiscard]] std::vector<std::string> lost_in_medit(const MeshData& mesh, const WriteOptions& options);
+[[nodiscard]] std::vector<std::string> lost_in_vtk(const MeshData& mesh, const WriteOptions& options);
+[[nodiscard]] std::vector<std::string> lost_in_vtu(const MeshData& mesh, const WriteOptions& options);
 [[nodiscard]] std::vector<std::string> lost_in_ply(const MeshData& mesh, const WriteOptions& options);
 [[nodiscard]] std::vector<std::string> lost_in_stl(const MeshData& mesh, const WriteOptions& options);
 [[nodiscard]] std::vector<std::string> lost_in_facets(const MeshData& mesh, const WriteOptions& options);

@@ -3,6 +3,7 @@
 #include "derham/io/byte_order.hpp"
 #include "derham/io/cursor.hpp"
 #include "derham/io/formats.hpp"
+#include "derham/io/renamed_fields.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -49,8 +50,7 @@ void add_lost_names(const MeshData& mesh, MeshField::On on, std::vector<std::str
                           " together: they become ", quoted_token(written[i].name), " to ",
                           quoted_token(written[last].name)));
     else if (written[i].name != field.name)
-      lost.push_back(text("does not hold the name of the field ", quoted_token(field.name), ": it becomes ",
-                          quoted_token(written[i].name)));
+      lost.push_back(lost_name(field.name, written[i].name));
   }
 }
 

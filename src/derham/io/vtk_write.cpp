@@ -1,6 +1,7 @@
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
+#include "derham/io/renamed_fields.hpp"
 #include "derham/io/vtk_cells.hpp"
 
 #include <array>
@@ -67,6 +68,10 @@ void write_fields(TextWriter& file, NumberWriter numbers, const MeshData& mesh, 
 }
 
 }  // namespace
+
+std::vector<std::string> lost_in_vtk(const MeshData& mesh, const WriteOptions&) {
+  return renamed_fields(mesh, [](const std::string& name) { return name.empty() ? "unnamed" : name; });
+}
 
 void write_vtk(TextWriter& file, const MeshData& mesh, const WriteOptions& options) {
   const bool is_text = options.encoding != WriteOptions::Encoding::binary;

@@ -5,6 +5,7 @@
 #include "derham/io/atomic_file.hpp"
 #include "derham/io/base64_writer.hpp"
 #include "derham/io/formats.hpp"
+#include "derham/io/renamed_fields.hpp"
 #include "derham/io/text_writer.hpp"
 #include "derham/io/vtk_cells.hpp"
 #include "derham/io/xml_text.hpp"
@@ -121,6 +122,13 @@ class Document {
   std::vector<Block> appended_;
 };
 
+// XML holds few control characters, VTK no empty name.
+std::string written_name(std::string name) {
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r') c = ' ';
+  return name.empty() ? "unnamed" : name;
+}
+
 }  // namespace
 
 VtuFile::VtuFile(const MeshData& mesh)
@@ -236,6 +244,10 @@ void VtuFile::write(TextWriter& file, bool as_text) const {
   file.put("</VTKFile>\n");
 }
 
+std::vector<std::string> lost_in_vtu(const MeshData& mesh, const WriteOptions&) {
+  return renamed_fields(mesh, written_name);
+}
+
 void write_vtu(TextWriter& file, const MeshData& mesh, const WriteOptions& options) {
   const bool as_text = options.encoding == WriteOptions::Encoding::ascii;
   // The rows first, then what is listed beside them, highest dimension first; of periodic meshes only the rows.
@@ -254,7 +266,7 @@ void write_vtu(TextWriter& file, const MeshData& mesh, const WriteOptions& optio
   for (const auto& field : mesh.fields) {
     std::span<const double> values = field.values;
     if (field.on == MeshField::On::vertices) {
-      vtu->point_data(field.name.empty() ? "unnamed" : field.name, values, field.components);
+      vtu->point_data(written_name(field.name), values, field.components);
       continue;
     }
     if (lower > 0) {
@@ -263,7 +275,7 @@ void write_vtu(TextWriter& file, const MeshData& mesh, const WriteOptions& optio
                   std::numeric_limits<double>::quiet_NaN());
       values = copy;
     }
-    vtu->cell_data(field.name.empty() ? "unnamed" : field.name, values, field.components);
+    vtu->cell_data(written_name(field.name), values, field.components);
   }
   vtu->write(file, as_text);
 }
