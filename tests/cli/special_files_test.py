@@ -104,6 +104,24 @@ class SpecialFiles(Case):
                 self.assertIn("No space", self.refused(4, "convert", source, "/dev/full", *options, "--to",
                                                        names.get(extension, extension)))
 
+    def test_faces_that_cannot_be_removed(self):
+        """The old faces would be read with the new mesh: where they must stay, so does the old mesh."""
+        closed = self.directory / "closed"
+        closed.mkdir()
+        self.written(self.surface, "node", (), "a")
+        old = {extension: (self.directory / f"a.{extension}").read_bytes() for extension in ("node", "ele")}
+        for extension in old:
+            (closed / f"a.{extension}").symlink_to(self.directory / f"a.{extension}")
+        (closed / "a.face").write_text("0 0\n")
+        closed.chmod(0o555)
+        done = subprocess.run([PROGRAM, "convert", self.volume, closed / "a.node"], capture_output=True, text=True,
+                              preexec_fn=obey_permissions)
+        closed.chmod(0o755)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("cannot remove this file of an older mesh: Permission denied", done.stderr)
+        for extension, content in old.items():
+            self.assertEqual((self.directory / f"a.{extension}").read_bytes(), content)
+
     def test_names_that_are_not_utf8(self):
         for source, extension, options in self.ways():
             path = os.fsencode(self.directory) + b"/\xff\xfe\x01." + extension.encode()
@@ -127,42 +145,54 @@ class SpecialFiles(Case):
 
 
 class KilledWriters(Case):
+    @staticmethod
+    def contents(path):
+        """The bytes of a mesh, which may be a pair of files; nothing if there is none."""
+        paths = (path, path.with_suffix(".ele")) if path.suffix == ".node" else (path,)
+        return tuple(file.read_bytes() for file in paths) if paths[-1].exists() else ()
+
+    def killed(self, new, target, options, allowed):
+        """How many of some writers could be killed; each left one of the allowed contents, of which the last is new."""
+        command = [PROGRAM, "convert", new, target, "-q", *options]
+        begin = time.monotonic()
+        subprocess.run(command, check=True)
+        whole = time.monotonic() - begin
+        killed = 0
+        for _ in range(150):
+            if killed == 15:
+                break
+            for path, content in zip((target, target.with_suffix(".ele")), allowed[0]):
+                path.write_bytes(content)
+            child = subprocess.Popen(command)
+            time.sleep(self.rng.uniform(0, whole))
+            child.kill()
+            code = child.wait()
+            killed += code == -signal.SIGKILL
+            found = self.contents(target)
+            self.assertIn(found, allowed, f"{[len(content) for content in found]} bytes")
+            if code == 0:
+                self.assertEqual(found, allowed[-1])
+            for left in self.directory.glob(".derham-*.tmp"):  # what SIGKILL leaves no time to remove
+                left.unlink()
+        return killed
+
     def test_the_old_file_or_the_new_one(self):
         """A writer that is killed at any moment leaves the old file, or, if it was done, the new one; never a part."""
-        old = self.generate("old.npz", "box", "--cells", 2)
-        new = self.generate("new.npz", "box", "--cells", 12)
-        rng = random.Random(5)
+        self.rng = random.Random(5)
         kills = 0
-        for extension in ("msh", "mesh", "vtk", "vtu", "facets", "npz"):
-            contents = []
-            for source in (old, new):
-                path = self.directory / f"{source.stem}.{extension}"
-                self.assertEqual(run("convert", source, path, "-q")[0], 0)
-                contents.append(path.read_bytes())
-            target = self.directory / f"target.{extension}"
-            begin = time.monotonic()
-            run("convert", new, target, "-q")
-            whole = time.monotonic() - begin
-            target.write_bytes(contents[0])
-            killed = 0
-            for _ in range(400):
-                if killed == 40:
-                    break
-                child = subprocess.Popen([PROGRAM, "convert", new, target, "-q"])
-                time.sleep(rng.uniform(0, whole))
-                child.kill()
-                code = child.wait()
-                killed += code == -signal.SIGKILL
-                found = target.read_bytes()
-                self.assertIn(found, contents, f"{extension}: {len(found)} bytes")
-                if code == 0:
-                    self.assertEqual(found, contents[1])
-                if found == contents[1]:
-                    target.write_bytes(contents[0])
-                for left in self.directory.glob(f"*target.{extension}*"):  # what SIGKILL leaves no time to remove
-                    if left != target:
-                        left.unlink()
-            kills += killed
+        for sizes, ways in (((("box", "--cells", 2), ("box", "--cells", 12)), VOLUMES),
+                            ((("sphere", "--level", 1), ("sphere", "--level", 5)), SURFACES)):
+            old, new = (self.generate(f"{name}.npz", *size) for name, size in zip(("old", "new"), sizes))
+            for extension, options in ways:
+                with self.subTest(extension=extension, options=options):
+                    allowed = []
+                    for source in (old, new):
+                        path = self.directory / f"{source.stem}.{extension}"
+                        self.assertEqual(run("convert", source, path, "-q", *options)[0], 0)
+                        allowed.append(self.contents(path))
+                    if extension == "node":  # of two files there may be none for a moment
+                        allowed.insert(1, ())
+                    kills += self.killed(new, self.directory / f"target.{extension}", options, allowed)
         self.assertGreaterEqual(kills, 200)
 
 

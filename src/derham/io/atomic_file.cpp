@@ -109,11 +109,20 @@ void AtomicFile::write(std::string_view bytes) {
   }
 }
 
-void AtomicFile::commit() {
-  if (is_stdout_) return;
+void AtomicFile::finish() {
+  if (is_stdout_ || descriptor_ < 0) return;
   if (!temporary_.empty() && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP)
     fail("cannot write", errno);
   if (::close(std::exchange(descriptor_, -1)) != 0) fail("cannot write", errno);
+}
+
+void AtomicFile::remove_old() const {
+  if (temporary_.empty()) return;
+  if (::unlink(target_.c_str()) != 0 && errno != ENOENT) fail("cannot replace", errno);
+}
+
+void AtomicFile::commit() {
+  finish();
   if (temporary_.empty()) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot rename to", errno);
   temporary_.clear();

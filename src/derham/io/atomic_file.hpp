@@ -22,7 +22,14 @@ class AtomicFile {
   /// Throws FileError, e.g. when the disk is full.
   void write(std::string_view bytes);
 
-  /// Flushes to the disk and gives the file its name. Throws FileError if either fails.
+  /// Flushes to the disk; nothing may be written after it. What is left to `commit` is to give the file its name.
+  /// Throws FileError if it fails, e.g. when the disk is full.
+  void finish();
+
+  /// Removes an older file under the name: there is none until `commit`. For files that are replaced together.
+  void remove_old() const;
+
+  /// As `finish`, and gives the file its name. Throws FileError if either fails.
   void commit();
 
   /// The name as it was given.

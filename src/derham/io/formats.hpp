@@ -103,7 +103,7 @@ struct TetgenPaths {
 [[nodiscard]] std::optional<std::int64_t> tetgen_region(std::string_view attribute);
 
 /// Writes the files of a mesh: .face and .edge if there is something to write into them; else those of an older mesh are
-/// removed, for they would be read with this one.
+/// removed, for they would be read with this one. At every moment there is the old mesh, the new one, or no .ele.
 void write_tetgen_files(const TetgenPaths& paths, const MeshData& mesh);
 /// The files that it writes.
 [[nodiscard]] std::vector<std::string> tetgen_files(const TetgenPaths& paths, const MeshData& mesh);

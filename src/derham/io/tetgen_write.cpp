@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace derham {
@@ -69,15 +70,32 @@ bool reads_as_region(double value) {
   return tetgen_region({digits.data(), end}).has_value();
 }
 
+[[noreturn]] void fail_stale(const std::string& path, int code) {
+  throw FileError(FileError::Action::write, path, 0,
+                  text("cannot remove this file of an older mesh: ", std::generic_category().message(code)));
+}
+
 // Faces and edges of an older mesh would be read with the new one.
 void remove_stale(const std::string& path) {
-  if (::unlink(path.c_str()) != 0 && errno != ENOENT)
-    throw FileError(FileError::Action::write, path, 0,
-                    text("cannot remove this file of an older mesh: ", std::generic_category().message(errno)));
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) fail_stale(path, errno);
+}
+
+// Refuses, before anything is changed, what `remove_stale` could not remove.
+void require_removable(const std::string& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0) return;
+  if (S_ISDIR(status.st_mode)) fail_stale(path, EISDIR);
+  const auto slash = path.find_last_of('/');
+  const auto directory = slash == std::string::npos ? std::string(".") : path.substr(0, slash + 1);
+  if (::access(directory.c_str(), W_OK | X_OK) != 0) fail_stale(path, errno);
 }
 
 struct Output {
   explicit Output(const std::string& path) : file(path), writer(file) {}
+  void finish() {
+    writer.flush();
+    file.finish();
+  }
   AtomicFile file;
   TextWriter writer;
 };
@@ -156,18 +174,22 @@ std::vector<std::string> tetgen_files(const TetgenPaths& paths, const MeshData& 
 void write_tetgen_files(const TetgenPaths& paths, const MeshData& mesh) {
   Output nodes(paths.node), simplices(paths.ele);
   std::optional<Output> faces, edges;
-  if (has_lower(mesh, 2)) faces.emplace(paths.face);
-  if (has_lower(mesh, 1)) edges.emplace(paths.edge);
+  has_lower(mesh, 2) ? void(faces.emplace(paths.face)) : require_removable(paths.face);
+  has_lower(mesh, 1) ? void(edges.emplace(paths.edge)) : require_removable(paths.edge);
   write_tetgen({nodes.writer, simplices.writer, faces ? &faces->writer : nullptr, edges ? &edges->writer : nullptr},
                mesh);
-  nodes.writer.flush();
-  simplices.writer.flush();
-  if (faces) faces->writer.flush();
-  if (edges) edges->writer.flush();
-  nodes.file.commit();
-  simplices.file.commit();
-  faces ? faces->file.commit() : remove_stale(paths.face);
-  edges ? edges->file.commit() : remove_stale(paths.edge);
+  std::vector<Output*> outputs{&nodes};
+  if (faces) outputs.push_back(&*faces);
+  if (edges) outputs.push_back(&*edges);
+  outputs.push_back(&simplices);
+
+  // The files cannot be replaced at once, but no mesh is read without its simplices: while those are missing, it does
+  // not matter that old files stand beside new ones.
+  for (auto* output : outputs) output->finish();
+  simplices.file.remove_old();
+  if (!faces) remove_stale(paths.face);
+  if (!edges) remove_stale(paths.edge);
+  for (auto* output : outputs) output->file.commit();
 }
 
 }  // namespace derham
