@@ -1,7 +1,8 @@
-// Any bytes are a sound mesh or an error of ours; and a mesh that was read survives being freed of unused vertices.
+// Any bytes, in the format DERHAM_FUZZ_FORMAT or without it as the faces and edges beside a TetGen mesh, are a sound mesh or an error of ours; and a mesh that was read survives being freed of unused vertices.
 #include "derham/core/error.hpp"
 #include "derham/io/read_mesh.hpp"
 #include "derham/io/unused_vertices.hpp"
+#include "io/tetgen_faces.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -39,16 +40,22 @@ void demand_sound(const derham::MeshData& mesh) {
   }
 }
 
+derham::MeshData read(std::string_view bytes, const derham::ReadOptions& options) {
+#ifdef DERHAM_FUZZ_FORMAT
+  (void)derham::detect_format("fuzz.node", bytes);
+  return derham::read_mesh_from_memory(bytes, derham::MeshFormat::DERHAM_FUZZ_FORMAT, "fuzz", options);
+#else
+  return derham::io_test::read_tetgen_faces(bytes, options);
+#endif
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  constexpr auto format = derham::MeshFormat::DERHAM_FUZZ_FORMAT;
   try {
-    (void)derham::detect_format("fuzz.node", bytes);
     const bool is_odd = size % 2 == 1;  // either with everything that may be asked of a reader, or with nothing
-    auto mesh = derham::read_mesh_from_memory(bytes, format, "fuzz",
-                                              {.triangulate = is_odd, .corner_nodes = is_odd, .planar = is_odd});
+    auto mesh = read(bytes, {.triangulate = is_odd, .corner_nodes = is_odd, .planar = is_odd});
     demand_sound(mesh);
     const bool has_unused = derham::first_unused_vertex(mesh) >= 0;
     demand((derham::drop_unused_vertices(mesh) > 0) == has_unused);
