@@ -12,7 +12,9 @@ mkdir -p "$work"
 install_and_move() {
   cmake --install "$build" --prefix "$work/first" >"$work/install.log"
   mv "$work/first" "$work/prefix"
-  if grep -rlF -e "$build" -e "$source" -e "$work/first" "$work/prefix/include" "$work/prefix/lib"*/*/; then
+  # As whole paths: a source in /derham is not named by ${prefix}/include/derham.
+  local paths="(?<![\w}./-])(\Q$build\E|\Q$source\E|\Q$work/first\E)(?![\w-])"
+  if grep -rlP -e "$paths" "$work/prefix/include" "$work/prefix/lib"*/*/; then
     echo "the files above name the build tree" >&2
     exit 1
   fi
