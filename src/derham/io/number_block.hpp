@@ -46,6 +46,7 @@ class NumberBlock {
 /// Whether a double holds this integer: 53 bits suffice from its highest to its lowest one.
 template <std::integral Integer>
 constexpr bool is_exact_double(Integer integer) noexcept {
+  // NOLINTNEXTLINE(bugprone-signed-char-misuse): 8-bit integers are numbers here
   auto magnitude = static_cast<std::uint64_t>(integer);
   if (integer < 0) magnitude = 0 - magnitude;
   return magnitude == 0 || std::bit_width(magnitude) - std::countr_zero(magnitude) <= 53;
