@@ -147,6 +147,35 @@ TEST(Stl, WritesWhatItReads) {
   EXPECT_EQ(read_mesh(directory / "a.stl").points[3], static_cast<double>(1.0F / 3));
 }
 
+TEST(Stl, CountsTheVerticesThatAreLost) {
+  const TemporaryDirectory directory;
+  const auto lost = [](const MeshData& mesh, WriteOptions::Encoding encoding) {
+    auto phrases = not_carried(mesh, MeshFormat::stl, {.encoding = encoding});
+    EXPECT_EQ(phrases.back(), "format stl does not hold the order of vertices");
+    phrases.pop_back();
+    return phrases;
+  };
+  constexpr auto ascii = WriteOptions::Encoding::ascii, binary = WriteOptions::Encoding::binary;
+  auto mesh = read(stl_binary_sample);  // a tetrahedron
+  mesh.vertex_count = 6;
+  mesh.points.insert(mesh.points.end(), {0, 0, 0, 5, 5, 5});
+  const std::vector<std::string> unused{"format stl does not hold vertices that no triangle uses (2)"};
+  EXPECT_EQ(lost(mesh, ascii), unused);
+  EXPECT_EQ(lost(mesh, binary), unused);
+
+  mesh.vertex_count = 4;
+  mesh.points = {0, 0, 0, 1e-300, -0.0, 0, 0, -0.0, 0, 1, 0, 0};
+  const std::string one = "format stl makes one vertex of those at the same place: ";
+  EXPECT_EQ(lost(mesh, ascii), std::vector{one + "1 fewer"});
+  EXPECT_EQ(lost(mesh, binary),
+            (std::vector<std::string>{"format stl holds positions as 32-bit numbers: 1 coordinates are rounded",
+                                      one + "2 fewer"}));
+  write_mesh(directory / "a.stl", mesh, MeshFormat::stl, {.encoding = ascii});
+  EXPECT_EQ(read_mesh(directory / "a.stl").vertex_count, 3);
+  write_mesh(directory / "a.stl", mesh, MeshFormat::stl);
+  EXPECT_EQ(read_mesh(directory / "a.stl").vertex_count, 2);
+}
+
 TEST(Stl, SaysWhatIsRounded) {
   auto mesh = read(stl_binary_sample);
   EXPECT_EQ(not_carried(mesh, MeshFormat::stl),

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -75,14 +78,52 @@ void write_binary(TextWriter& file, const MeshData& mesh) {
   }
 }
 
+std::vector<Index> used_vertices(const MeshData& mesh) {
+  const auto ids = mesh.simplices.vertices();
+  std::vector<Index> used(ids.begin(), ids.end());
+  std::ranges::sort(used);
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  return used;
+}
+
+// Whether the format has room for the positions of these vertices, and the mesh has them.
+bool have_positions(const MeshData& mesh, const std::vector<Index>& vertices) {
+  const int m = mesh.ambient_dimension;
+  return m >= 1 && m <= 3 && !vertices.empty() && vertices.front() >= 0 &&
+         (Offset{vertices.back()} + 1) * m <= std::ssize(mesh.points);
+}
+
+// How many places these vertices have in a file of such numbers: as the reader compares them, 0 being -0. Word has the
+// size of Number.
+template <class Number, class Word>
+Offset places(const MeshData& mesh, const std::vector<Index>& vertices) {
+  std::vector<std::array<Word, 3>> all;
+  all.reserve(vertices.size());
+  for (const Index v : vertices)
+    std::ranges::transform(position(mesh, v), all.emplace_back().begin(),
+                           [](double x) { return std::bit_cast<Word>(static_cast<Number>(x) + Number{0}); });
+  std::ranges::sort(all);
+  return std::unique(all.begin(), all.end()) - all.begin();
+}
+
 }  // namespace
 
 std::vector<std::string> lost_in_stl(const MeshData& mesh, const WriteOptions& options) {
   std::vector<std::string> lost;
+  const bool is_binary = options.encoding != WriteOptions::Encoding::ascii;
   const auto rounded =
       std::ranges::count_if(mesh.points, [](double x) { return static_cast<double>(static_cast<float>(x)) != x; });
-  if (rounded > 0 && options.encoding != WriteOptions::Encoding::ascii)
+  if (rounded > 0 && is_binary)
     lost.push_back(text("holds positions as 32-bit numbers: ", rounded, " coordinates are rounded"));
+  const auto used = used_vertices(mesh);
+  if (const auto unused = Offset{mesh.vertex_count} - std::ssize(used); unused > 0)
+    lost.push_back(text("does not hold vertices that no triangle uses (", unused, ")"));
+  if (have_positions(mesh, used)) {
+    const auto distinct =
+        is_binary ? places<float, std::uint32_t>(mesh, used) : places<double, std::uint64_t>(mesh, used);
+    if (const auto welded = std::ssize(used) - distinct; welded > 0)
+      lost.push_back(text("makes one vertex of those at the same place: ", welded, " fewer"));
+  }
   lost.emplace_back("does not hold the order of vertices");
   return lost;
 }
