@@ -38,7 +38,7 @@ TEST(GmshVariants, AreOneMesh) {
                                    "skipped the section '$Strange'"};
     if (bytes[12] == '2')
       notes.emplace_back(
-          "1 elements are listed again, with the same number and nodes: each is kept once, in all the parts it is "
+          "1 element is listed again, with the same number and nodes: each is kept once, in all the parts it is "
           "listed in");
     EXPECT_EQ(mesh.notes, notes);
   }

@@ -2,7 +2,6 @@
 
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
-#include "derham/io/cursor.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -108,17 +107,6 @@ std::vector<std::int64_t> gmsh_group_numbers(const MeshData& mesh) {
     numbers[p] = number;
   }
   return numbers;
-}
-
-std::string gmsh_quoted(const std::string& name) {
-  constexpr std::size_t longest = 127;
-  const bool has_control =
-      std::ranges::any_of(name, [](char c) { return (c >= 0 && c < 0x20 && c != '\t') || c == 0x7f; });
-  if (name.size() > longest || has_control)
-    throw InputError(text("the name ", quoted_token(name), has_control ? " has control characters" : " is too long",
-                          "; a .msh file holds names of at most ", longest,
-                          " bytes without any: give it another name"));
-  return '"' + name + '"';
 }
 
 }  // namespace derham

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace derham {
@@ -46,8 +45,5 @@ class GmshGroups {
 
 /// A number from 1 to 2^31-1 for every part, unique in its degree: its own if it is one, else the next that is free.
 [[nodiscard]] std::vector<std::int64_t> gmsh_group_numbers(const MeshData& mesh);
-
-/// `name` in double quotes as Gmsh takes it. Throws InputError if it has control characters or more than 127 bytes.
-[[nodiscard]] std::string gmsh_quoted(const std::string& name);
 
 }  // namespace derham

@@ -45,8 +45,9 @@ MeshData finished(GmshReading reading) {
           text("field ", quoted_token(key.second), " is given ", field.second, " times (time steps): kept the last"));
   if (reading.elements.merged() > 0)
     mesh.notes.push_back(text(reading.elements.merged(),
-                              " elements are listed again, with the same number and nodes: each is kept once, in all "
-                              "the parts it is listed in"));
+                              reading.elements.merged() == 1 ? " element is" : " elements are",
+                              " listed again, with the same number and nodes: each is kept once, in all the parts "
+                              "it is listed in"));
   std::move(reading.elements.simplices()).move_to(mesh);
   for (const auto& part : mesh.parts)
     if (part.degree > mesh.simplices.dimension())

@@ -3,18 +3,13 @@
 #include "derham/io/formats.hpp"
 #include "derham/io/gmsh_elements.hpp"
 #include "derham/io/gmsh_groups.hpp"
+#include "derham/io/gmsh_loss.hpp"
 #include "derham/io/gmsh_output.hpp"
-#include "derham/io/part_numbers.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
-#include <set>
-#include <span>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace derham {
@@ -40,41 +35,30 @@ struct Source {
   }
 };
 
-// How many components Gmsh knows that hold so many.
-int held_components(int components) { return components == 1 ? 1 : components <= 3 ? 3 : 9; }
-
 void require_fit(const Source& source, bool is_41, bool is_binary) {
   const auto& mesh = source.mesh;
   Offset elements = 0;
   for (const auto& list : source.listed) elements += list.size();
   // The numbers of 2.2, and in binary files those that data belong to, have 32 bits.
   constexpr auto most = std::int64_t{std::numeric_limits<std::int32_t>::max()};
-  if (is_binary && (!is_41 || !mesh.fields.empty()) && std::max(Offset{mesh.vertex_count}, elements) > most)
+  if (is_binary && (!is_41 || std::ranges::any_of(mesh.fields, gmsh_holds_field)) &&
+      std::max(Offset{mesh.vertex_count}, elements) > most)
     throw InputError(text("a binary .msh ", is_41 ? "4.1 with fields" : "2.2", " numbers at most ", most,
                           " vertices and simplices; write text"));
   if (is_41)
     for (const auto& list : source.listed) list.require_readable_entities();
-  std::set<std::pair<MeshField::On, std::string_view>> names;
-  for (const auto& field : mesh.fields) {
-    if (!names.insert({field.on, field.name}).second)
-      throw InputError(text("two fields are called ", gmsh_quoted(field.name), "; give one another name"));
-    if (field.components > 9)
-      throw InputError(
-          text("field ", gmsh_quoted(field.name), " has ", field.components, " components; a .msh file holds 1 to 9"));
-    if (!std::ranges::all_of(field.values, [](double value) { return std::isfinite(value); }))
-      throw InputError(text("field ", gmsh_quoted(field.name), " has values that are not finite numbers"));
-  }
 }
 
 void write_names(GmshOutput& out, const Source& source) {
   const auto& parts = source.mesh.parts;
-  const auto named = std::ranges::count_if(parts, [](const MeshPart& part) { return !part.name.empty(); });
+  const auto is_named = [](const MeshPart& part) { return !part.name.empty() && gmsh_holds_name(part.name); };
+  const auto named = std::ranges::count_if(parts, is_named);
   if (named == 0) return;
   out.open("PhysicalNames");
   out.file.put(named).put('\n');
   for (std::size_t p = 0; p < parts.size(); ++p)
-    if (!parts[p].name.empty())
-      out.file.put(parts[p].degree).put(' ').put(source.numbers[p]).put(' ').put(gmsh_quoted(parts[p].name)).put('\n');
+    if (is_named(parts[p]))
+      out.file.put(parts[p].degree).put(' ').put(source.numbers[p]).put(" \"").put(parts[p].name).put("\"\n");
   out.file.put("$EndPhysicalNames\n");
 }
 
@@ -203,10 +187,10 @@ void write_elements_41(GmshOutput& out, const Source& source) {
 
 void write_field(GmshOutput& out, const MeshField& field) {
   const bool on_vertices = field.on == MeshField::On::vertices;
-  const int held = held_components(field.components);
+  const int held = gmsh_components(field.components);
   const auto items = static_cast<std::int64_t>(field.values.size()) / field.components;
   out.open(on_vertices ? "NodeData" : "ElementData");
-  out.file.put("1\n").put(gmsh_quoted(field.name)).put("\n1\n0\n3\n0\n").put(held).put('\n').put(items).put('\n');
+  out.file.put("1\n\"").put(field.name).put("\"\n1\n0\n3\n0\n").put(held).put('\n').put(items).put('\n');
   const double* value = field.values.data();
   for (std::int64_t i = 1; i <= items; ++i) {
     out.integer(i);
@@ -216,44 +200,7 @@ void write_field(GmshOutput& out, const MeshField& field) {
   out.close(on_vertices ? "NodeData" : "ElementData");
 }
 
-// How many vertices are in parts, but no simplex of dimension 0.
-Offset vertices_without_point(const MeshData& mesh) {
-  if (mesh.simplices.dimension() == 0) return 0;
-  std::set<Index> vertices;
-  for (const auto& part : mesh.parts)
-    if (part.degree == 0) vertices.insert(part.members.begin(), part.members.end());
-  if (!mesh.lower.empty())
-    for (const Index v : mesh.lower[0].vertices()) vertices.erase(v);
-  return std::ssize(vertices);
-}
-
 }  // namespace
-
-std::vector<std::string> lost_in_gmsh(const MeshData& mesh, const WriteOptions& options) {
-  std::vector<std::string> lost;
-  const auto say = [&](Offset count, const auto&... what) {
-    if (count > 0) lost.push_back(text(what...));
-  };
-  const auto numbers = gmsh_group_numbers(mesh);
-  Offset renumbered = 0, silent = 0, padded = 0;
-  for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
-    const auto& part = mesh.parts[p];
-    const bool is_silent = part.members.empty() && (part.name.empty() || mesh.simplices.empty());
-    silent += is_silent;
-    renumbered += !is_silent && numbers[p] != part.number;
-  }
-  for (const auto& field : mesh.fields) padded += held_components(field.components) != field.components;
-  const auto points = vertices_without_point(mesh);
-  const auto several = options.gmsh_41 ? 0 : simplices_in_several_parts(mesh);
-  say(silent, "does not hold parts without members (", silent, ") that have no name");
-  say(renumbered, "numbers the parts of a dimension from 1 to 2147483647, none twice: ", renumbered,
-      " get other numbers");
-  say(padded, "holds fields of 1, 3 or 9 components: ", padded, " are padded with zeros");
-  say(points, "holds parts of vertices as points: ", points, " are added to the simplices of dimension 0");
-  say(several, "2.2 lists simplices in several parts (", several,
-      ") once for each, which others may take for copies; 4.1 does not (--gmsh-version 4.1, WriteOptions::gmsh_41)");
-  return lost;
-}
 
 void write_gmsh(TextWriter& file, const MeshData& mesh, const WriteOptions& options) {
   const bool is_41 = options.gmsh_41;
@@ -275,7 +222,8 @@ void write_gmsh(TextWriter& file, const MeshData& mesh, const WriteOptions& opti
     write_nodes_22(out, source);
     write_elements_22(out, source);
   }
-  for (const auto& field : mesh.fields) write_field(out, field);
+  for (const auto& field : mesh.fields)
+    if (gmsh_holds_field(field)) write_field(out, field);
 }
 
 }  // namespace derham

@@ -22,16 +22,18 @@ namespace derham {
 /// gmsh     dimension n <= 3; m <= 3, padded with zeros to 3; text unless `encoding` is binary (in this machine's byte
 ///          order), 2.2 unless `gmsh_41`. Row i is element i+1; lower simplices, parts and fields follow, a vertex in a
 ///          part as a point. Parts whose number is not from 1 to 2^31-1 get the next free one. Names are written as they
-///          are, without control characters and at most 127 bytes long; the programs of others may end a name at a quote
-///          within it. Fields of finite values and up to 9 components, padded with zeros to 1, 3 or 9. A simplex in several
-///          parts is listed once for each in 2.2; in 4.1 it is not, but there may not be thousands of parts on many of them
-///          (InputError).
+///          are; the programs of others may end a name at a quote within it. A name with control characters or more than 127
+///          bytes is left out of its part, and so are whole fields of such a name, with values that are not finite or with
+///          more than 9 components (`not_carried` names them); the others are padded with zeros to 1, 3 or 9. A simplex in
+///          several parts is listed once for each in 2.2; in 4.1 it is not, but there may not be thousands of parts on many
+///          of them (InputError).
 /// medit    n = 1 to 3; m <= 3 (padded to 2); parts as references: the number of the first part a simplex is in
 /// off, obj n <= 2
 /// ply      n <= 2; doubles, binary unless asked otherwise; fields are properties, one per component, whose
 ///          names are one word and distinct (`not_carried` says what becomes of others)
 /// stl      n = 2; binary unless asked otherwise: then positions are rounded to 32-bit numbers (`not_carried` says so).
-///          Reading it back numbers the vertices afresh and makes one of those at the same place
+///          Reading it back numbers the vertices afresh and makes one of those at the same place; vertices that no
+///          triangle uses are not in the file (`not_carried` counts both)
 /// vtk      n <= 3; text, or bytes if asked for. `lower` follows the rows, with NaN in fields on rows (as text only new
 ///          VTK reads it, 9.7 does); fields become arrays of doubles; parts, for which VTK has no word, are not written
 /// vtu      as vtk, but bytes unless text is asked for (then arrays with NaN are in base64: VTK reads none as text); also
