@@ -96,7 +96,8 @@ Run add_convert(CLI::App& parent, Common& common) {
   command.add_option("A", conversion->from.path, std::string("mesh file (") + mesh_extensions + "), - for stdin")
       ->required();
   command.add_option("B", conversion->path, "file to write, - for stdout")->required();
-  command.add_option("--from", conversion->from.format, "format of A (" + readable_formats() + "), else detected");
+  command.add_option("--from,--format", conversion->from.format,
+                     "format of A (" + readable_formats() + "), else detected");
   command.add_option("--to", conversion->format, "format of B (" + writable_formats() + "), else by its extension");
   CLI::Option* binary = command.add_flag("--binary", conversion->binary, "numbers as bytes (gmsh, vtk, vtu, ply, stl)");
   command.add_flag("--ascii", conversion->ascii, "numbers as text")->excludes(binary);

@@ -41,6 +41,9 @@ class Convert(Case):
         summary = self.convert(source, "b.off", "--from", "off", "--to", "obj")
         self.assertEqual(summary["format"], "obj")
         self.assertTrue((self.directory / "b.off").read_text().startswith("v "))
+        self.assertEqual(self.convert(source, "b.obj", "--format", "off")["format"], "obj")
+        self.assertIn("unknown format", run("convert", source, self.directory / "b.obj", "--format", "nonsense")[2])
+        self.assertIn("--from,--format", run("convert", "--help")[1])
         code, out, _ = run("convert", "-", "-", "--to", "off", "-q", stdin=SQUARE)
         self.assertEqual((code, out), (0, SQUARE))
 
