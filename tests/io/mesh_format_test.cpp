@@ -42,7 +42,13 @@ TEST(MeshFormat, TheTitleOfAVtkFileSaysNothing) {
 }
 
 TEST(MeshFormat, RefusesWhatItDoesNotKnow) {
-  for (const auto* name : {"x.vtp", "x.meshb"}) EXPECT_THROW((void)detect_format(name, "1 2 3\n"), FileError) << name;
+  EXPECT_THROW((void)detect_format("x.vtp", "1 2 3\n"), FileError);
+  try {
+    (void)detect_format("x.meshb", std::string_view("\1\0\0\0\2\0\0\0", 8));
+    ADD_FAILURE();
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("binary Medit files (.meshb); convert it to .mesh"), std::string::npos);
+  }
   EXPECT_THROW((void)detect_format("x", "hello\n"), FileError);
   EXPECT_THROW((void)detect_format("x", ""), FileError);
   EXPECT_THROW((void)read_mesh_from_memory("1", MeshFormat::vtu, "x"), FileError);

@@ -99,6 +99,38 @@ TEST(WriteMeshRefusals, FieldsOfOneNameAreRefusedWhereTheyAreWritten) {
   EXPECT_EQ(not_carried(mesh, MeshFormat::off), std::vector<std::string>{"format off does not hold fields (3)"});
 }
 
+TEST(WriteMeshRefusals, NameFormatsThatHoldTheMesh) {
+  const TemporaryDirectory directory;
+  const auto message = [&](const MeshData& mesh) -> std::string {
+    try {
+      write_mesh(directory / "a.off", mesh);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto mesh = random_mesh(2, 4, 1);
+  EXPECT_EQ(message(mesh),
+            "format off holds positions in at most 3 dimensions, this mesh has 4; .facets holds any "
+            "complex without positions, .npz this mesh with them");
+  write_mesh(directory / "a.npz", mesh);
+  MeshData mixed;
+  mixed.simplices = SimplexList{{0, 1, 2}, {2, 3}};
+  mixed.vertex_count = 4;
+  EXPECT_TRUE(message(mixed).ends_with("; .facets holds any complex without positions")) << message(mixed);
+}
+
+TEST(WriteMesh, AnEmptyMeshComesBack) {
+  const TemporaryDirectory directory;
+  for (const auto* name :
+       {"a.obj", "a.off", "a.ply", "a.stl", "a.msh", "a.mesh", "a.vtk", "a.vtu", "a.facets", "a.npz"}) {
+    write_mesh(directory / name, MeshData());
+    const auto back = read_mesh(directory / name);
+    EXPECT_TRUE(back.simplices.empty()) << name;
+    EXPECT_EQ(back.vertex_count, 0) << name;
+  }
+}
+
 TEST(WriteMeshRefusals, SayWhatTheFormatHolds) {
   const TemporaryDirectory directory;
   const auto refused = [&](const char* name, const MeshData& mesh) {

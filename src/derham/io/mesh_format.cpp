@@ -127,8 +127,11 @@ MeshFormat detect_format(const std::string& path, std::string_view bytes) {
   const auto format = format_by_extension(path);
   if (format && is_read(format_traits(*format))) return *format;
   const auto extension = extension_of(path);
-  constexpr std::array unread{"vtp",   "meshb", "poly", "face", "edge", "neigh", "vol", "var",
-                              "smesh", "inp",   "xdmf", "stp",  "step", "iges",  "bdf", "cgns"};
+  if (extension == "meshb")
+    throw FileError(FileError::Action::read, path, 0,
+                    "derham does not read binary Medit files (.meshb); convert it to .mesh");
+  constexpr std::array unread{"vtp", "poly", "face", "edge", "neigh", "vol", "var", "smesh",
+                              "inp", "xdmf", "stp",  "step", "iges",  "bdf", "cgns"};
   if (!format && std::ranges::find(unread, extension) == unread.end() && !first.empty() && first[0] >= '0' &&
       first[0] <= '9')
     return looks_like_tetgen(Cursor(bytes, path, '#')) ? MeshFormat::tetgen : MeshFormat::facets;

@@ -178,6 +178,7 @@ MeshData read_obj(Cursor& file, const ReadOptions& options) {
 
 void write_obj(TextWriter& file, const MeshData& mesh, const WriteOptions&) {
   const auto m = static_cast<std::size_t>(mesh.ambient_dimension);
+  if (mesh.vertex_count == 0) file.put("# no vertices\n");  // a file without content would be refused
   for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.vertex_count); ++i) {
     file.put('v');
     for (std::size_t axis = 0; axis < 3; ++axis) file.put(' ').put(axis < m ? mesh.points[i * m + axis] : 0.0);

@@ -133,8 +133,9 @@ Index drop_unused_vertices(MeshData& mesh) {
 void drop_mid_nodes(MeshData& mesh, Offset count, const char* cells) {
   if (count == 0) return;
   const Index dropped = drop_unused_vertices(mesh);
-  mesh.notes.push_back(text("kept the corner nodes of ", count, " ", cells, " of higher order; dropped ", dropped,
-                            " nodes that no simplex uses"));
+  auto note = text("kept the corner nodes of ", count, " ", cells, " of higher order");
+  if (dropped > 0) note += text("; dropped ", dropped, " nodes that no simplex uses");
+  mesh.notes.push_back(std::move(note));
 }
 
 }  // namespace derham

@@ -73,13 +73,15 @@ void require_sound(const MeshData& mesh) {
 }
 
 void require_fit(const MeshData& mesh, const FormatTraits& format) {
-  const auto refuse = [&](const auto&... reason) {
-    throw InputError(text("format ", format.name, " ", reason..., "; .facets holds any complex without positions"));
-  };
   const int n = mesh.simplices.dimension();
   const int m = mesh.ambient_dimension;
+  const bool fits_npz = m > 0 && m <= 6 && mesh.simplices.is_uniform();
+  const auto refuse = [&](const auto&... reason) {
+    throw InputError(text("format ", format.name, " ", reason..., "; .facets holds any complex without positions",
+                          fits_npz ? ", .npz this mesh with them" : ""));
+  };
   if (mesh.has_corners() && format.format != MeshFormat::vtu && format.format != MeshFormat::npz)
-    refuse("has one position per vertex, a periodic mesh has not; .npz holds it, .vtu for pictures");
+    refuse("has one position per vertex, a periodic mesh has not; .vtu holds one for pictures");
   if (!mesh.has_points() && !mesh.has_corners() && mesh.vertex_count > 0 && format.least_ambient > 0)
     refuse("needs positions, this mesh has none");
   if (!mesh.simplices.is_uniform()) refuse("holds simplices of one dimension, this mesh has several");
