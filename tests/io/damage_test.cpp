@@ -12,7 +12,7 @@
 #include <vector>
 
 // Read by AddressSanitizer when the program starts: one allocation of more than this many MiB is an error.
-extern "C" const char* __asan_default_options();  // NOLINT(bugprone-reserved-identifier,cert-*)
+extern "C" const char* __asan_default_options();  // NOLINT: a name of the compiler's
 extern "C" const char* __asan_default_options() { return "max_allocation_size_mb=1024"; }  // NOLINT
 
 namespace derham::io_test {
