@@ -65,7 +65,8 @@ std::vector<std::string> lost_in_gmsh(const MeshData& mesh, const WriteOptions& 
     const auto& part = mesh.parts[p];
     const auto fault = name_fault(part.name);
     if (!fault.empty())
-      lost.push_back(text("does not hold the name ", quoted_token(part.name), " of part ", part.number, ", which ", fault));
+      lost.push_back(
+          text("does not hold the name ", quoted_token(part.name), " of part ", part.number, ", which ", fault));
     const bool is_silent = part.members.empty() && (part.name.empty() || !fault.empty() || mesh.simplices.empty());
     silent += is_silent;
     renumbered += !is_silent && numbers[p] != part.number;
