@@ -15,10 +15,11 @@ namespace derham {
 ///
 /// tetgen   both NAME.node and NAME.ele, whichever `path` names (a `path` of neither kind is NAME itself);
 ///          triangles with m = 2 or 3, tetrahedra with m = 3. NAME.face and NAME.edge if `lower` has faces or edges; if
-///          not, those of an older mesh are removed, lest they be read with this one. Files cannot be replaced together: once all are complete, the old NAME.ele is removed
-///          and the new one appears last. A process killed in between leaves no mesh (a .node without its .ele is
-///          refused), never old files beside new ones. Parts are markers (of the rows: an attribute, if there are no
-///          fields on rows), as for medit; fields are attributes. To standard output only nodes and simplices
+///          not, those of an older mesh are removed, lest they be read with this one. Files cannot be replaced together:
+///          once all are complete, the old NAME.ele is removed and the new one appears last. A process killed in between
+///          leaves no mesh (a .node without its .ele is refused), never old files beside new ones. Parts are markers (of
+///          the rows: an attribute, if there are no fields on rows), as for medit; fields are attributes. To standard
+///          output only nodes and simplices
 /// gmsh     dimension n <= 3; m <= 3, padded with zeros to 3; text unless `encoding` is binary (in this machine's byte
 ///          order), 2.2 unless `gmsh_41`. Row i is element i+1; lower simplices, parts and fields follow, a vertex in a
 ///          part as a point. Parts whose number is not from 1 to 2^31-1 get the next free one. Names are written as they
