@@ -97,8 +97,8 @@ void keep_rows(MeshData& mesh, std::span<const Index> cell_of_row, Offset cells)
 
 void VtkCells::move_to(MeshData& mesh, const ReadOptions& options, Cursor& file) && {
   // The usual case: nothing but simplices of one dimension, whose ids are the rows already.
-  const bool is_uniform = ends_.empty() && count_ > 0 && width_ <= 4 &&
-                          std::ranges::count(types, vtk_cell_types[static_cast<std::size_t>(width_) - 1]) == count_;
+  const bool is_uniform = ends_.empty() && types_.empty() && count_ > 0 && width_ <= 4 &&
+                          type_ == vtk_cell_types[static_cast<std::size_t>(width_) - 1];
   if (is_uniform) {
     mesh.simplices = SimplexList(static_cast<int>(width_) - 1, std::move(ids));
     return;
@@ -109,7 +109,7 @@ void VtkCells::move_to(MeshData& mesh, const ReadOptions& options, Cursor& file)
   Offset split = 0, triangles = 0, cut = 0;
   for (Offset i = 0; i < count_; ++i) {
     const auto points = cell(i);
-    const int type = types[static_cast<std::size_t>(i)];
+    const int type = this->type(i);
     const auto refuse = [&](const char* expected) {
       file.fail(text("cell ", i, " (counted from 0) is ", cell_name(type), " of ", points.size(), " points, VTK type ",
                      type, "; ", expected));

@@ -20,8 +20,6 @@ class VtkCells {
  public:
   /// The points of all cells, one cell after the other.
   std::vector<Index> ids;
-  /// One for each cell.
-  std::vector<std::uint8_t> types;
 
   /// The next cell ends before ids[end].
   void end_cell(Offset end) {
@@ -36,7 +34,17 @@ class VtkCells {
     ++count_;
   }
 
+  /// The VTK type of the next cell, counted on its own: types may come before or after the ends.
+  void add_type(std::uint8_t type) {
+    if (typed_ == 0) type_ = type;
+    if (types_.empty() && type != type_) types_.assign(static_cast<std::size_t>(typed_), type_);
+    if (type != type_ || !types_.empty()) types_.push_back(type);
+    ++typed_;
+  }
+
   [[nodiscard]] Offset size() const noexcept { return count_; }
+  /// How many cells have a type.
+  [[nodiscard]] Offset typed() const noexcept { return typed_; }
   /// How many points cell i has.
   [[nodiscard]] std::size_t width(Offset i) const noexcept {
     if (ends_.empty()) return static_cast<std::size_t>(width_);
@@ -54,8 +62,14 @@ class VtkCells {
     return std::span(ids).subspan(static_cast<std::size_t>(begin), width(i));
   }
 
-  Offset count_ = 0, width_ = 0;
-  std::vector<Offset> ends_;  // empty while all cells have the same width
+  [[nodiscard]] int type(Offset i) const noexcept {
+    return types_.empty() ? type_ : types_[static_cast<std::size_t>(i)];
+  }
+
+  Offset count_ = 0, width_ = 0, typed_ = 0;
+  std::uint8_t type_ = 0;
+  std::vector<Offset> ends_;         // empty while all cells have the same width
+  std::vector<std::uint8_t> types_;  // empty while all have the same type
 };
 
 }  // namespace derham

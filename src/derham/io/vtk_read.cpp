@@ -96,8 +96,8 @@ class VtkReader {
     read_cells();
     types_ = input_.section();
     const auto& [keyword, type, width] = polydata_sections[section];
-    for (auto i = static_cast<Offset>(cells_.types.size()); i < cells_.size(); ++i)
-      cells_.types.push_back(cells_.width(i) == width ? vtk_cell_types[width - 1] : type);
+    for (auto i = cells_.typed(); i < cells_.size(); ++i)
+      cells_.add_type(cells_.width(i) == width ? vtk_cell_types[width - 1] : type);
   }
 
   void read_cells() {
@@ -157,10 +157,9 @@ class VtkReader {
     file_.end_line();
     if (count != cells_.size()) input_.refuse(text(count, " cell types for ", cells_.size(), " cells"));
     types_ = input_.section();
-    reserve_large(cells_.types, static_cast<std::size_t>(count));
     input_.numbers(count, 1, NumberType::int32, "CELL_TYPES")
         .integers(count, "a cell type", "expected 0 to 255", [&](std::int64_t type) {
-          cells_.types.push_back(static_cast<std::uint8_t>(type));
+          cells_.add_type(static_cast<std::uint8_t>(type));
           return type >= 0 && type <= 255;
         });
   }

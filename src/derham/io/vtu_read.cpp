@@ -98,10 +98,9 @@ class VtuReader {
         return true;
       });
     });
-    cells_.types.reserve(static_cast<std::size_t>(cells));
     arrays_.read(array_named(node, "types"), cells, 1, [&](NumberArray& numbers) {
       numbers.integers(cells, "a cell type", "expected 0 to 255", [&](std::int64_t type) {
-        cells_.types.push_back(static_cast<std::uint8_t>(type));
+        cells_.add_type(static_cast<std::uint8_t>(type));
         return type >= 0 && type <= 255;
       });
     });
