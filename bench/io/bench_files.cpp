@@ -1,14 +1,11 @@
 #include "bench/io/bench_files.hpp"
 
+#include "bench/support/meshes.hpp"
 #include "derham/io/write_mesh.hpp"
-#include "derham/meshes/boxes.hpp"
-#include "derham/meshes/tori.hpp"
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -119,13 +116,7 @@ const std::vector<BenchFile>& bench_files() {
   return files;
 }
 
-BenchMeshes::BenchMeshes(std::int64_t simplices) {
-  const auto size = static_cast<double>(simplices);
-  const auto cells = std::max<Index>(1, static_cast<Index>(std::lround(std::cbrt(size / 6))));
-  solid = meshes::box(3, cells, {.lengths = {}, .jitter = 0.2, .seed = 1});
-  const auto sides = std::max<Index>(3, static_cast<Index>(std::lround(std::sqrt(size / 4))));
-  surface = meshes::torus(2 * sides, sides);
-}
+BenchMeshes::BenchMeshes(std::int64_t simplices) : solid(box_of(simplices)), surface(torus_of(simplices)) {}
 
 BenchDirectory::BenchDirectory() {
   auto name = (std::filesystem::temp_directory_path() / "derham_bench_XXXXXX").string();

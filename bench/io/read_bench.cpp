@@ -7,9 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -76,30 +74,16 @@ void read(benchmark::State& state, const BenchFile& file, const BenchMeshes& mes
   }
 }
 
-int run(int argc, char** argv) {
-  const auto simplices = begin(argc, argv);
-  if (simplices < 1) return 2;
-  const BenchMeshes meshes(simplices);
-  BenchDirectory directory;
+const Suite suite([](const Options& options) {
+  static const BenchMeshes meshes(options.simplices);
+  static BenchDirectory directory;
   for (const auto& file : bench_files())
     benchmark::RegisterBenchmark(file.name.c_str(),
-                                 [&](benchmark::State& state) { read(state, file, meshes, directory); })
+                                 [&file](benchmark::State& state) { read(state, file, meshes, directory); })
         ->Iterations(1)
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond);
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
-}
+});
 
 }  // namespace
 }  // namespace derham::bench
-
-int main(int argc, char** argv) {
-  try {
-    return derham::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-}

@@ -17,15 +17,18 @@ inline double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The largest memory that the program has held since the object was made, above what it held then. Linux counts it in
-/// pages that were touched.
+/// The memory that the program takes, above what it held when the object was made. Linux counts it in pages that were
+/// touched.
 class PeakMemory {
  public:
   PeakMemory() {
     std::ofstream("/proc/self/clear_refs") << "5";
     before_ = status("VmRSS:");
   }
+  /// The largest since then.
   [[nodiscard]] std::int64_t bytes() const { return status("VmHWM:") - before_; }
+  /// Now.
+  [[nodiscard]] std::int64_t held() const { return status("VmRSS:") - before_; }
 
  private:
   static std::int64_t status(std::string_view key) {
