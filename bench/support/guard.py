@@ -66,6 +66,8 @@ def main(arguments):
     rounds = int(option(options, "rounds", 9))
     passed_on = [o for o in options if not o.startswith(("--threshold=", "--rounds="))]
     pairs = rounds_of(old, new, rooms, rounds, passed_on)
+    if not pairs:
+        sys.exit("nothing was measured")
     results = {name: verdict(pairs[name], threshold) for name in sorted(pairs)}
     print(f"\nnew over old, median of {rounds} rounds and its quartiles\n")
     print(markdown(["kernel", "old ns/item", "new ns/item", "ratio", "half of the rounds"],

@@ -49,8 +49,10 @@ def measurements(report):
 
 
 def load(path):
+    """An empty file is the report of a program in which nothing matched."""
     with open(path, encoding="utf-8") as file:
-        return json.load(file)
+        text = file.read()
+    return json.loads(text) if text else {"benchmarks": []}
 
 
 def heading(report):
