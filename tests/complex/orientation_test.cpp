@@ -1,5 +1,6 @@
 #include "derham/complex/orientation.hpp"
 
+#include "derham/complex/incidence.hpp"
 #include "derham/complex/simplicial_complex.hpp"
 #include "derham/core/error.hpp"
 #include "derham/meshes/boxes.hpp"
@@ -131,6 +132,90 @@ TEST(Orientation, SimplicesThatMeetOnlyInSmallerFacesOrInThreesAreFree) {
   const SimplicialComplex<2> book(SimplexList{{0, 1, 2}, {0, 1, 3}, {1, 0, 4}});  // three pages
   EXPECT_EQ(book.orientation().components, 3);
   EXPECT_TRUE(book.is_orientable());
+}
+
+/// The orientation by breadth-first search, top simplex by top simplex: what `coherent_orientation` must agree with.
+template <int n>
+Orientation searched_orientation(const SimplicialComplex<n>& K, const std::vector<Sign>& preferred) {
+  const FacetCofaces dual = facet_cofaces(K);
+  Orientation result;
+  result.sign.assign(preferred.size(), 0);
+  result.component.assign(preferred.size(), 0);
+  for (Index root = 0; root < K.size(n); ++root) {
+    if (result.sign[static_cast<std::size_t>(root)] != 0) continue;
+    result.sign[static_cast<std::size_t>(root)] = preferred[static_cast<std::size_t>(root)];
+    std::vector<Index> queue{root};
+    for (std::size_t head = 0; head < queue.size(); ++head) {
+      const Index t = queue[head];
+      result.component[static_cast<std::size_t>(t)] = result.components;
+      for (int i = 0; i <= n; ++i) {
+        const auto facet = static_cast<std::size_t>(K.face_opposite(n, t, i));
+        if (dual.count[facet] != 2) continue;
+        const Index u = dual.first[facet] == t ? dual.second[facet] : dual.first[facet];
+        int j = 0;
+        while (K.face_opposite(n, u, j) != static_cast<Index>(facet)) ++j;
+        const Sign needed = static_cast<Sign>(-result.sign[static_cast<std::size_t>(t)] * face_sign(i) * face_sign(j));
+        Sign& sign = result.sign[static_cast<std::size_t>(u)];
+        if (sign == 0) queue.push_back(u);
+        if (sign == -needed) result.orientable = false;
+        if (sign == 0) sign = needed;
+      }
+    }
+    ++result.components;
+  }
+  if (!result.orientable) std::ranges::fill(result.sign, Sign{1});
+  if (result.components <= 1) result.component.clear();
+  return result;
+}
+
+template <int n>
+void expect_as_searched(const SimplexList& rows, support::Random& random) {
+  const SimplicialComplex<n> K(rows);
+  std::vector<Sign> preferred(static_cast<std::size_t>(K.size(n)));
+  for (Sign& sign : preferred) sign = support::uniform(random, 0, 1) == 0 ? Sign{-1} : Sign{1};
+  for (const auto& wish : {preferred, std::vector<Sign>(K.orientation().sign)}) {
+    const Orientation found = coherent_orientation(K, wish), expected = searched_orientation(K, wish);
+    ASSERT_EQ(found.orientable, expected.orientable);
+    ASSERT_EQ(found.components, expected.components);
+    ASSERT_EQ(found.sign, expected.sign);
+    ASSERT_EQ(found.component, expected.component);
+    ASSERT_EQ(found.one_sided.empty(), expected.orientable);
+  }
+}
+
+template <int n>
+void expect_random_as_searched() {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE(testing::Message() << "n = " << n << ", seed " << seed);
+    support::Random random(seed);
+    expect_as_searched<n>(support::simplex_list(support::random_pure(n, random)), random);
+    expect_as_searched<n>(support::simplex_list(support::random_components(n, 3, random)), random);
+    expect_as_searched<n>(support::simplex_list(support::random_mixed(n, random)), random);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+TEST(Orientation, AgreesWithASearchOnRandomComplexes) {
+  expect_random_as_searched<1>();
+  expect_random_as_searched<2>();
+  expect_random_as_searched<3>();
+  expect_random_as_searched<4>();
+  expect_random_as_searched<6>();
+}
+
+/// Enough simplices in random order that many trees arise and are joined in many batches.
+TEST(Orientation, AgreesWithASearchOnLargerComplexes) {
+  using namespace meshes;
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE(seed);
+    support::Random random(seed);
+    expect_as_searched<2>(shuffled(box(2, 30).simplices, seed), random);
+    expect_as_searched<3>(shuffled(box(3, 9).simplices, seed), random);
+    expect_as_searched<3>(shuffled(disjoint_union(box(3, 5).simplices, grid_torus(3)), seed), random);
+    expect_as_searched<3>(shuffled(product(klein_bottle(), path(20)), seed), random);
+    expect_as_searched<4>(shuffled(box(4, 3).simplices, seed), random);
+    expect_as_searched<3>(box(3, 9).simplices, random);
+  }
 }
 
 TEST(Orientation, PointsArePositiveComponents) {

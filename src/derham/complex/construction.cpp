@@ -258,14 +258,16 @@ void ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const SimplexList& r
 
 template <int n>
 void ComplexBuilder<n>::orient(SimplicialComplex<n>& K, const SimplexList& rows) {
-  std::vector<Index> tuple;
   std::vector<Sign> preferred(static_cast<std::size_t>(K.size(n)), Sign{1});
-  for (Offset row = 0; n > 0 && row < rows.size(); ++row) {
-    const RowTarget target = K.row_target(row);
-    if (target.degree != n) continue;
-    tuple.assign(rows[row].begin(), rows[row].end());
-    preferred[static_cast<std::size_t>(target.index)] = sort_with_sign(tuple);
-  }
+  parallel_blocks(n > 0 ? rows.size() : 0, 1 << 14, [&](Offset first, Offset last) {
+    std::array<Index, n + 1> tuple{};
+    for (Offset row = first; row < last; ++row) {
+      const RowTarget target = K.row_target(row);
+      if (target.degree != n) continue;
+      std::copy_n(rows[row].begin(), n + 1, tuple.begin());
+      preferred[static_cast<std::size_t>(target.index)] = sort_with_sign(tuple);
+    }
+  });
   K.orientation_ = coherent_orientation(K, preferred);
 }
 

@@ -1,78 +1,132 @@
 #include "derham/complex/orientation.hpp"
 
-#include "derham/complex/incidence.hpp"
+#include "derham/complex/one_sided_walk.hpp"
+#include "derham/complex/signed_trees.hpp"
 #include "derham/complex/simplicial_complex.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
 
 namespace derham {
 namespace {
 
-/// The closed walk s … root … t of the search tree, shortened to its last common simplex; s and t share a facet.
-std::vector<Index> cycle_through(const std::vector<Index>& parent, Index s, Index t) {
-  std::vector<Index> from_s{s}, from_t{t};
-  while (parent[static_cast<std::size_t>(from_s.back())] >= 0)
-    from_s.push_back(parent[static_cast<std::size_t>(from_s.back())]);
-  while (parent[static_cast<std::size_t>(from_t.back())] >= 0)
-    from_t.push_back(parent[static_cast<std::size_t>(from_t.back())]);
-  while (from_s.size() > 1 && from_t.size() > 1 && from_s[from_s.size() - 2] == from_t[from_t.size() - 2]) {
-    from_s.pop_back();
-    from_t.pop_back();
+constexpr Index prefetch_distance = 16;  // top simplices
+
+/// What is known of a facet: untouched; closed, when no more is to be learnt from it; or else 2 more than the word of its
+/// first coface, the bit being that coface's entry in the facet's row of the boundary matrix.
+using Word = SignedTrees::Word;
+constexpr Word untouched = 0, closed = 1, first_word = 2;
+
+/// Every top simplex as the word of a tree: `tree[t]` is odd if its sign is not the preferred one.
+struct Growth {
+  std::vector<Word> tree;
+  SignedTrees trees;
+  bool reversing = false;  // some word is odd
+  bool crowded = false;    // some facet had been closed already when a coface came
+};
+
+/// Visits the top simplices in order. One joins the tree of its first neighbour that was visited before, with the sign
+/// that is coherent with it; trees that it touches besides are the same set. So a facet is looked up twice and a
+/// neighbour never, and in an order in which neighbours follow each other few trees arise.
+template <int n>
+Growth grow(const SimplicialComplex<n>& K, std::span<const Sign> preferred, std::vector<Word> facet_state) {
+  const Index tops = K.size(n);
+  Growth result;
+  result.tree.resize(preferred.size());
+  for (Index t = 0; t < tops; ++t) {
+    for (const Index f : K.template faces<n>(t + std::min(prefetch_distance, tops - 1 - t)))
+      __builtin_prefetch(&facet_state[static_cast<std::size_t>(f)], 1);
+    const auto row = K.template faces<n>(t);
+    const std::size_t negative = preferred[static_cast<std::size_t>(t)] < 0 ? 1 : 0;
+    const auto entry = [negative](std::size_t j) { return static_cast<Word>((j ^ negative) & 1); };
+    std::array<Word, n + 1> state{};
+    bool planted = false;
+    Word mine = 0;
+    for (std::size_t j = 0; j <= n; ++j) {
+      state[j] = facet_state[static_cast<std::size_t>(row[j])];
+      if (state[j] == closed) result.crowded = true;
+      if (state[j] < first_word) continue;
+      const Word coherent = (state[j] - first_word) ^ entry(j) ^ 1;
+      if (!planted)
+        mine = coherent;
+      else if (coherent != mine)
+        result.trees.unite(mine, coherent);
+      planted = true;
+    }
+    if (!planted) mine = result.trees.plant();
+    result.tree[static_cast<std::size_t>(t)] = mine;
+    result.reversing = result.reversing || (mine & 1) != 0;
+    for (std::size_t j = 0; j <= n; ++j)
+      facet_state[static_cast<std::size_t>(row[j])] = state[j] == untouched ? first_word + (mine ^ entry(j)) : closed;
   }
-  from_s.insert(from_s.end(), from_t.rbegin() + 1, from_t.rend());
-  return from_s;
+  result.trees.settle();
+  return result;
+}
+
+/// Closed where a facet has more than two cofaces, else untouched.
+template <int n>
+std::vector<Word> crowded_facets(const SimplicialComplex<n>& K) {
+  std::vector<Word> state(static_cast<std::size_t>(K.size(n - 1)), untouched);
+  std::vector<std::uint8_t> cofaces(state.size(), 0);
+  for (const Index f : K.face_table(n))
+    if (auto& count = cofaces[static_cast<std::size_t>(f)]; count < 3 && ++count == 3)
+      state[static_cast<std::size_t>(f)] = closed;
+  return state;
+}
+
+/// The number of each component's set, by the first top simplex.
+std::vector<Index> numbered_components(Growth& growth) {
+  std::vector<Index> of_tree(static_cast<std::size_t>(growth.trees.size())), component(growth.tree.size());
+  Index components = 0;
+  for (Index tree = 0; tree < growth.trees.size(); ++tree) {
+    const auto root = static_cast<Index>(growth.trees.root(2 * static_cast<Word>(tree)) / 2);
+    of_tree[static_cast<std::size_t>(tree)] = root == tree ? components++ : of_tree[static_cast<std::size_t>(root)];
+  }
+  for (std::size_t t = 0; t < component.size(); ++t)
+    component[t] = of_tree[static_cast<std::size_t>(growth.tree[t] / 2)];
+  return component;
+}
+
+/// The tops as trees; without facets each is its own.
+template <int n>
+Growth growth(const SimplicialComplex<n>& K, std::span<const Sign> preferred) {
+  if constexpr (n == 0) {
+    Growth result;
+    for (std::size_t t = 0; t < preferred.size(); ++t) result.tree.push_back(result.trees.plant());
+    return result;
+  } else {
+    Growth result = grow(K, preferred, std::vector<Word>(static_cast<std::size_t>(K.size(n - 1)), untouched));
+    return result.crowded ? grow(K, preferred, crowded_facets(K)) : std::move(result);
+  }
 }
 
 }  // namespace
 
 template <int n>
 Orientation coherent_orientation(const SimplicialComplex<n>& K, std::span<const Sign> preferred) {
-  const Index tops = K.size(n);
-  if (preferred.size() != static_cast<std::size_t>(tops))
-    throw InputError(text("there are ", preferred.size(), " preferred signs for ", tops, " top simplices"));
+  if (preferred.size() != static_cast<std::size_t>(K.size(n)))
+    throw InputError(text("there are ", preferred.size(), " preferred signs for ", K.size(n), " top simplices"));
   for (const Sign sign : preferred)
     if (sign != 1 && sign != -1) throw InputError(text("preferred sign is ", int{sign}, "; it must be +1 or -1"));
-  Orientation result;
-  result.sign.assign(preferred.size(), Sign{0});
-  const FacetCofaces dual = facet_cofaces(K);
-  std::vector<Index> component(preferred.size()), parent(preferred.size(), -1), queue;
-  queue.reserve(preferred.size());
 
-  for (Index root = 0; root < tops; ++root) {
-    if (result.sign[static_cast<std::size_t>(root)] != 0) continue;
-    result.sign[static_cast<std::size_t>(root)] = preferred[static_cast<std::size_t>(root)];
-    component[static_cast<std::size_t>(root)] = result.components;
-    queue.assign(1, root);
-    for (std::size_t head = 0; head < queue.size() && n > 0; ++head) {
-      const Index t = queue[head];
-      const auto facets = K.faces(n, t);
-      for (std::size_t j = 0; j < facets.size(); ++j) {
-        const auto facet = static_cast<std::size_t>(facets[j]);
-        if (dual.count[facet] != 2) continue;
-        const Index u = dual.first[facet] == t ? dual.second[facet] : dual.first[facet];
-        const auto across = K.faces(n, u);
-        const auto i = static_cast<std::size_t>(std::ranges::find(across, facets[j]) - across.begin());
-        // the entries sign(t)(-1)^(n-j) and sign(u)(-1)^(n-i) of the facet's row must be opposite
-        const Sign needed = static_cast<Sign>((i + j) % 2 == 0 ? -result.sign[static_cast<std::size_t>(t)]
-                                                               : result.sign[static_cast<std::size_t>(t)]);
-        Sign& sign = result.sign[static_cast<std::size_t>(u)];
-        if (sign == 0) {
-          sign = needed;
-          component[static_cast<std::size_t>(u)] = result.components;
-          parent[static_cast<std::size_t>(u)] = t;
-          queue.push_back(u);
-        } else if (sign != needed && result.orientable) {
-          result.orientable = false;
-          result.one_sided = cycle_through(parent, t, u);
-        }
-      }
-    }
-    ++result.components;
+  Growth grown = growth(K, preferred);
+  Orientation result;
+  result.orientable = !grown.trees.contradictory();
+  result.components = grown.trees.sets();
+  if (result.components > 1) result.component = numbered_components(grown);
+  if (result.orientable) {
+    result.sign.assign(preferred.begin(), preferred.end());
+    const bool as_preferred = !grown.reversing && !grown.trees.reversing();
+    for (std::size_t t = 0; t < result.sign.size() && !as_preferred; ++t)
+      if (grown.trees.root(grown.tree[t]) & 1) result.sign[t] = static_cast<Sign>(-result.sign[t]);
+  } else {
+    result.sign.assign(preferred.size(), Sign{1});
+    if constexpr (n > 0) result.one_sided = one_sided_walk(K);
   }
-  if (!result.orientable) std::ranges::fill(result.sign, Sign{1});
-  if (result.components > 1) result.component = std::move(component);
   return result;
 }
 
