@@ -4,6 +4,7 @@
 #include "derham/boundary/manifold_text.hpp"
 #include "derham/boundary/rings.hpp"
 #include "derham/boundary/small_homology.hpp"
+#include "derham/boundary/star_proof.hpp"
 #include "derham/boundary/surface_name.hpp"
 #include "derham/complex/incidence.hpp"
 #include "derham/core/disjoint_sets.hpp"
@@ -25,6 +26,22 @@ constexpr int collapse_attempts = 32;  // before a link that has the right homol
 /// What is known about a simplex before it is judged.
 enum class Mark : char { none, face_of_unproved, flawed };
 
+/// What the report says of the orientation.
+template <int n>
+void add_orientation(const SimplicialComplex<n>& K, ManifoldReport& report) {
+  report.orientable = K.is_orientable();
+  if (report.orientable) return;
+  const auto walk = std::span<const Index>(K.orientation().one_sided);
+  const auto vertices = K.simplex(n, walk.front());
+  report.defects.push_back(
+      {DefectKind::orientation,
+       {vertices.begin(), vertices.end()},
+       text("not orientable: a closed walk across facets through ",
+            detail::counted(static_cast<Offset>(walk.size()), n), " (", detail::numbered(walk, n),
+            ") returns to it with the orientation reversed. Cut the complex along a facet of the walk, or use its "
+            "orientable double cover")});
+}
+
 template <int n>
 class ManifoldCheck {
  public:
@@ -35,10 +52,9 @@ class ManifoldCheck {
   ManifoldReport run() {
     report_.pure = K_.is_pure();
     report_.closed = report_.pure && std::ranges::find(cofaces_.count, Index{1}) == cofaces_.count.end();
-    report_.orientable = K_.is_orientable();
     for (const auto [degree, simplex] : K_.maximal_lower()) marks_[index(degree)][index(simplex)] = Mark::flawed;
     check_degree<n - 1>();
-    check_orientation();
+    add_orientation(K_, report_);
     if (std::ranges::any_of(report_.defects, [](const auto& d) { return d.kind < DefectKind::unproved; }))
       report_.verdict = Verdict::no;
     else if (report_.count(DefectKind::unproved) > 0)
@@ -220,19 +236,6 @@ class ManifoldCheck {
              detail::noun(k), ", or prove it by other means"));
   }
 
-  void check_orientation() {
-    if (K_.is_orientable()) return;
-    const auto walk = std::span<const Index>(K_.orientation().one_sided);
-    const auto vertices = K_.simplex(n, walk.front());
-    report_.defects.push_back(
-        {DefectKind::orientation,
-         {vertices.begin(), vertices.end()},
-         text("not orientable: a closed walk across facets through ",
-              detail::counted(static_cast<Offset>(walk.size()), n), " (", detail::numbered(walk, n),
-              ") returns to it with the orientation reversed. Cut the complex along a facet of the walk, or use its "
-              "orientable double cover")});
-  }
-
   const SimplicialComplex<n>& K_;
   FacetCofaces cofaces_;
   std::array<std::vector<Mark>, n + 1> marks_;  // [k] for k < n
@@ -256,8 +259,21 @@ Offset ManifoldReport::count(DefectKind kind) const noexcept {
 }
 
 template <int n>
-ManifoldReport check_manifold(const SimplicialComplex<n>& K) {
+ManifoldReport detail::check_every_link(const SimplicialComplex<n>& K) {
   return ManifoldCheck<n>(K).run();
+}
+
+template <int n>
+ManifoldReport check_manifold(const SimplicialComplex<n>& K) {
+  if constexpr (n == 2 || n == 3) {
+    if (const detail::StarProof proof = detail::prove_by_stars(K); proof.is_manifold) {
+      ManifoldReport report;
+      report.closed = proof.closed;
+      add_orientation(K, report);
+      return report;
+    }
+  }
+  return detail::check_every_link(K);
 }
 
 template <int n>
@@ -273,8 +289,9 @@ void require_manifold(const SimplicialComplex<n>& K) {
                            tuple_text(std::span(first.simplex)), ": ", first.detail));
 }
 
-#define DERHAM_INSTANTIATE(n)                                          \
-  template ManifoldReport check_manifold(const SimplicialComplex<n>&); \
+#define DERHAM_INSTANTIATE(n)                                                    \
+  template ManifoldReport detail::check_every_link(const SimplicialComplex<n>&); \
+  template ManifoldReport check_manifold(const SimplicialComplex<n>&);           \
   template void require_manifold(const SimplicialComplex<n>&);
 DERHAM_INSTANTIATE(0)
 DERHAM_INSTANTIATE(1)

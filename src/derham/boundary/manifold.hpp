@@ -57,11 +57,19 @@ struct ManifoldReport {
 ///
 /// A face of a defective simplex is not judged, because its own link is bad for that reason already: mend, check again.
 /// A face of an unproved simplex is only tested by homology.
+///
+/// For n = 2 and 3 a quick proof is tried first (`star_proof.hpp`): two passes, and no star is listed.
 /// Cost     linear in the stars (log of the star's size for surfaces); same report for any number of threads
 /// Source   Elcott & Schröder, "Building your own DEC at home", §2, with the vertex test made decidable;
 ///          Whitehead, "Simplicial spaces, nuclei and m-groups", 1939
 template <int n>
 [[nodiscard]] ManifoldReport check_manifold(const SimplicialComplex<n>& K);
+
+namespace detail {
+/// `check_manifold` without the quick proof: the same report.
+template <int n>
+[[nodiscard]] ManifoldReport check_every_link(const SimplicialComplex<n>& K);
+}  // namespace detail
 
 /// Throws TopologyError with the first defect and the number of all unless check_manifold(K) answers yes.
 template <int n>
