@@ -71,13 +71,45 @@ TYPED_TEST(Construction, MixedDimensions) {
   }
 }
 
-// The local links are bit matrices of 64-bit words up to 512 neighbours, and sorted lists beyond.
+// For n = 2, 3 the local links are bit matrices of side 8, 16 and 64 for stars of up to 250 vertices; else of 64-bit words
+// up to 512 neighbours, and sorted lists beyond.
 TYPED_TEST(Construction, HubsAtTheSeamsOfTheBitMatrix) {
   if constexpr (TypeParam::value >= 2) {
-    for (const int upper : {63, 64, 65, 128, 129, 511, 512, 513, 600}) {
-      if (TypeParam::value >= 5 && upper % 64 > 1) continue;
+    for (const int upper : {7, 8, 9, 15, 16, 17, 31, 40, 50, 60, 63, 64, 65, 80, 120, 128, 129, 511, 512, 513, 600}) {
+      if (TypeParam::value >= 5 && upper > 17 && upper % 64 > 1) continue;
       this->compare(1, [&](Random& random) { return support::hub(TypeParam::value, upper, random); });
     }
+  }
+}
+
+// One top simplex after the other at the same vertex: the orders and the stars at their seams.
+TYPED_TEST(Construction, StarsOfEverySize) {
+  if constexpr (TypeParam::value == 2 || TypeParam::value == 3) {
+    for (const int size : {1, 2, 8, 9, 16, 17, 62, 63, 64, 83, 84, 85, 125, 126}) {
+      this->compare(1, [&](Random& random) {
+        Rows rows;
+        for (Index i = 0; i < size; ++i) {
+          Rows::value_type row{0, 1 + i, 2 + i};
+          if (TypeParam::value == 3) row.push_back(3 + i);
+          rows.push_back(row);
+        }
+        return support::reordered(rows, random);
+      });
+    }
+  }
+}
+
+TYPED_TEST(Construction, SeveralBlocksOfVertices) {
+  constexpr int dimension = TypeParam::value;
+  if constexpr (dimension >= 1 && dimension <= 3) {
+    this->compare(2, [](Random& random) {
+      Rows rows;
+      for (int i = 0; i < 8000; ++i) {  // some near each other, some anywhere
+        const int low = i % 2 == 0 ? 0 : support::uniform(random, 0, 4980);
+        rows.push_back(support::subset(dimension + 1, low, i % 2 == 0 ? 5000 : low + 20, random));
+      }
+      return support::shuffled(rows, random);
+    });
   }
 }
 

@@ -1,3 +1,4 @@
+#include "derham/core/bulk_array.hpp"
 #include "derham/core/disjoint_sets.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
@@ -5,9 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <locale>
+#include <new>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace derham {
@@ -21,6 +25,36 @@ TEST(Types, BinomialsFollowPascalsTriangle) {
     EXPECT_EQ(binomial(n, n + 1), 0);
     for (int k = 1; k < n; ++k) EXPECT_EQ(binomial(n, k), binomial(n - 1, k - 1) + binomial(n - 1, k));
   }
+}
+
+TEST(BulkArrays, AreCopiedMovedAndShortened) {
+  const std::vector<int> values{3, 1, 4, 1, 5};
+  BulkArray<int> a{std::span<const int>(values)};
+  const BulkArray<int> copy = a;
+  a[0] = 7;
+  EXPECT_EQ(copy[0], 3);
+  BulkArray<int> moved = std::move(a);
+  EXPECT_EQ(moved.size(), 5U);
+  moved.shrink(9);  // never longer
+  EXPECT_EQ(moved.size(), 5U);
+  moved.shrink(2);
+  EXPECT_EQ(std::vector<int>(moved.begin(), moved.end()), (std::vector<int>{7, 1}));
+  moved = copy;
+  EXPECT_TRUE(std::ranges::equal(moved, values));
+  moved.shrink(0);
+  EXPECT_TRUE(moved.empty());
+  EXPECT_TRUE(BulkArray<int>(0).empty());
+  EXPECT_THROW(BulkArray<int>(static_cast<std::size_t>(-1) / 4), std::bad_alloc);
+}
+
+TEST(BulkArrays, KeepTheirFirstElementsWhenLargeOnesShrink) {
+  constexpr std::size_t size = std::size_t{1} << 22;
+  BulkArray<int> a(size);  // large enough for pages of its own
+  for (std::size_t i = 0; i < 100'000; ++i) a[i] = static_cast<int>(i);
+  a.shrink(100'000);
+  bool same = true;
+  for (std::size_t i = 0; i < a.size(); ++i) same = same && a[i] == static_cast<int>(i);
+  EXPECT_TRUE(same);
 }
 
 TEST(Types, Factorials) {

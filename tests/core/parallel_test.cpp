@@ -1,6 +1,7 @@
 #include "derham/core/parallel.hpp"
 
 #include "derham/core/error.hpp"
+#include "derham/core/ordered_blocks.hpp"
 #include "derham/core/scratch_pool.hpp"
 
 #include <gtest/gtest.h>
@@ -89,6 +90,51 @@ TEST_P(Parallel, ScratchObjectsAreReusedAndNeverShared) {
   EXPECT_EQ(clashes, 0);
   EXPECT_GE(made, 1);
   EXPECT_LE(made, GetParam());
+}
+
+TEST_P(Parallel, OrderedBlocksKnowWhatCameBefore) {
+  for (const Offset count : {0, 1, 3, 200}) {
+    std::atomic<int> made{0};
+    std::vector<Offset> before(static_cast<std::size_t>(count), -1), finished(static_cast<std::size_t>(count), -1);
+    Offset total = 0, turns = 0;
+    ordered_blocks(
+        count, [&] { return ++made; }, [&](int&, Offset block) { before[static_cast<std::size_t>(block)] = 0; },
+        [&](int&, Offset block) {
+          EXPECT_EQ(block, turns++);
+          before[static_cast<std::size_t>(block)] = total;
+          total += block % 7;
+        },
+        [&](int&, Offset block) {
+          finished[static_cast<std::size_t>(block)] = before[static_cast<std::size_t>(block)] + block % 7;
+        });
+    EXPECT_EQ(turns, count);
+    EXPECT_LE(made, GetParam());
+    Offset sum = 0;
+    for (Offset block = 0; block < count; ++block) {
+      EXPECT_EQ(before[static_cast<std::size_t>(block)], sum);
+      sum += block % 7;
+      EXPECT_EQ(finished[static_cast<std::size_t>(block)], sum);
+    }
+  }
+}
+
+TEST_P(Parallel, AnExceptionInAnyStepOfAnOrderedBlockReachesTheCaller) {
+  for (const int step : {0, 1, 2, 3}) {
+    for (const Offset culprit : {0, 31, 99}) {
+      const auto fail = [&](int now, Offset block) {
+        if (now == step && (block == culprit || now == 0)) throw InputError("block", block);
+      };
+      EXPECT_THROW(ordered_blocks(
+                       100,
+                       [&] {
+                         fail(0, 0);
+                         return 0;
+                       },
+                       [&](int&, Offset block) { fail(1, block); }, [&](int&, Offset block) { fail(2, block); },
+                       [&](int&, Offset block) { fail(3, block); }),
+                   InputError);
+    }
+  }
 }
 
 TEST(ThreadCount, MustBePositive) {

@@ -20,6 +20,21 @@ namespace {
 
 constexpr Offset block_size = 2048;  // vertices per block: their records fit a second-level cache
 
+/// The quick look at every row: whether all ids are in range, distinct within their row, and used.
+bool looks_sound(const SimplexList& rows, Index vertex_count) {
+  std::vector<char> used(static_cast<std::size_t>(vertex_count), 0);
+  for (Offset row = 0; row < rows.size(); ++row) {
+    const auto tuple = rows[row];
+    for (std::size_t i = 0; i < tuple.size(); ++i) {
+      if (tuple[i] < 0 || tuple[i] >= vertex_count) return false;
+      used[static_cast<std::size_t>(tuple[i])] = 1;
+      for (std::size_t j = 0; j < i; ++j)
+        if (tuple[i] == tuple[j]) return false;
+    }
+  }
+  return std::ranges::find(used, char{0}) == used.end();
+}
+
 /// The top simplices grouped by their vertex number p: for each, the vertices after it and the top simplex.
 struct Records {
   std::size_t width = 0;     // suffix length + 1
@@ -73,13 +88,17 @@ void load(UpperLink<n>& link, const RecordSet<n>& records, Index v) {
 
 }  // namespace
 
+Offset add_count(Offset total, Index count, int k, Offset limit) {
+  if (count > limit - total)
+    throw LimitError(text("there are more than ", limit, " simplices of degree ", k,
+                          ", which do not fit the index type; build derham with DERHAM_INDEX64=ON"));
+  return total + count;
+}
+
 Offset accumulate_counts(std::span<Index> counts, int k, Offset limit) {
   Offset total = 0;
   for (Index& end : counts) {
-    if (end > limit - total)
-      throw LimitError(text("there are more than ", limit, " simplices of degree ", k,
-                            ", which do not fit the index type; build derham with DERHAM_INDEX64=ON"));
-    total += end;
+    total = add_count(total, end, k, limit);
     end = static_cast<Index>(total);
   }
   return total;
@@ -165,23 +184,33 @@ void ComplexBuilder<n>::fill_last_faces(SimplicialComplex<n>& K, int k) {
 }
 
 template <int n>
-void ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count) {
+std::vector<Sign> ComplexBuilder<n>::build(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices,
+                                           Index vertex_count) {
+  K.simplices_[0] = BulkArray<Index>(static_cast<std::size_t>(vertices));
+  std::iota(K.simplices_[0].begin(), K.simplices_[0].end(), Index{0});
+  if constexpr (n == 2 || n == 3) {
+    if (rows.is_uniform()) return build_blocks(K, rows, vertices, vertex_count);
+  }
+  if (!looks_sound(rows, vertices)) require_valid_input(check_input(rows, vertex_count), rows, vertex_count);
+  return rows.is_uniform() ? build_pure(K, rows, vertices) : build_mixed(K, rows, vertices);
+}
+
+template <int n>
+std::vector<Sign> ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count) {
   const Offset tops = rows.size();
-  auto& vertices = K.simplices_[0];
-  vertices.resize(static_cast<std::size_t>(vertex_count));
-  std::iota(vertices.begin(), vertices.end(), Index{0});
+  std::vector<Sign> signs(static_cast<std::size_t>(tops), Sign{1});
   if constexpr (n == 0) {
     bool in_order = true;
     for (Offset row = 0; row < tops; ++row) in_order = in_order && rows[row][0] == row;
     if (tops != vertex_count) require_valid_input(check_input(rows, vertex_count), rows, vertex_count);
     for (Offset row = 0; row < tops && !in_order; ++row) K.rows_.push_back({0, rows[row][0]});
-    return;
   } else {
     auto& T = K.simplices_[n];
-    T.assign(rows.vertices().begin(), rows.vertices().end());
+    T = BulkArray<Index>(rows.vertices());
     parallel_blocks(tops, 1 << 14, [&](Offset first, Offset last) {
       for (Offset t = first; t < last; ++t)
-        sort_with_sign(std::span(T).subspan(static_cast<std::size_t>(t) * (n + 1), n + 1));
+        signs[static_cast<std::size_t>(t)] =
+            sort_with_sign(std::span<Index>(T).subspan(static_cast<std::size_t>(t) * (n + 1), n + 1));
     });
 
     RecordSet<n> records;
@@ -205,10 +234,10 @@ void ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const SimplexList& r
     }
     for (int k = 1; k < n; ++k) {
       const Offset total = accumulate_counts(K.buckets_[k], k);
-      K.simplices_[k].resize(static_cast<std::size_t>(total) * static_cast<std::size_t>(k + 1));
-      if (k >= 2) K.faces_[k].resize(K.simplices_[k].size());
+      K.simplices_[k] = BulkArray<Index>(static_cast<std::size_t>(total) * static_cast<std::size_t>(k + 1));
+      if (k >= 2) K.faces_[k] = BulkArray<Index>(K.simplices_[k].size());
     }
-    if (n >= 2) K.faces_[n].resize(T.size());
+    if (n >= 2) K.faces_[n] = BulkArray<Index>(T.size());
     K.buckets_[n] = records[0].begin;
     K.top_order_.resize(static_cast<std::size_t>(tops));
 
@@ -254,29 +283,15 @@ void ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const SimplexList& r
     // Look up: of every simplex between, the face that omits its first vertex begins at another vertex.
     for (int k = 2; k < n; ++k) fill_last_faces(K, k);
   }
+  return signs;
 }
 
-template <int n>
-void ComplexBuilder<n>::orient(SimplicialComplex<n>& K, const SimplexList& rows) {
-  std::vector<Sign> preferred(static_cast<std::size_t>(K.size(n)), Sign{1});
-  parallel_blocks(n > 0 ? rows.size() : 0, 1 << 14, [&](Offset first, Offset last) {
-    std::array<Index, n + 1> tuple{};
-    for (Offset row = first; row < last; ++row) {
-      const RowTarget target = K.row_target(row);
-      if (target.degree != n) continue;
-      std::copy_n(rows[row].begin(), n + 1, tuple.begin());
-      preferred[static_cast<std::size_t>(target.index)] = sort_with_sign(tuple);
-    }
-  });
-  K.orientation_ = coherent_orientation(K, preferred);
-}
-
-template class ComplexBuilder<0>;
-template class ComplexBuilder<1>;
-template class ComplexBuilder<2>;
-template class ComplexBuilder<3>;
-template class ComplexBuilder<4>;
-template class ComplexBuilder<5>;
-template class ComplexBuilder<6>;
+template std::vector<Sign> ComplexBuilder<0>::build(SimplicialComplex<0>&, const SimplexList&, Index, Index);
+template std::vector<Sign> ComplexBuilder<1>::build(SimplicialComplex<1>&, const SimplexList&, Index, Index);
+template std::vector<Sign> ComplexBuilder<2>::build(SimplicialComplex<2>&, const SimplexList&, Index, Index);
+template std::vector<Sign> ComplexBuilder<3>::build(SimplicialComplex<3>&, const SimplexList&, Index, Index);
+template std::vector<Sign> ComplexBuilder<4>::build(SimplicialComplex<4>&, const SimplexList&, Index, Index);
+template std::vector<Sign> ComplexBuilder<5>::build(SimplicialComplex<5>&, const SimplexList&, Index, Index);
+template std::vector<Sign> ComplexBuilder<6>::build(SimplicialComplex<6>&, const SimplexList&, Index, Index);
 
 }  // namespace derham

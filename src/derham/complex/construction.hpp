@@ -2,32 +2,50 @@
 
 #include "derham/complex/simplicial_complex.hpp"
 
+#include <array>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace derham {
 
 template <int n>
 class UpperLink;
+template <int n>
+class BlockLinks;
 
 /// Fills the lists and tables of a complex. Internal to the room: use the constructor of SimplicialComplex.
 template <int n>
 class ComplexBuilder {
  public:
-  /// All rows of dimension n, already known to be in range and without repeated vertices.
-  static void build_pure(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count);
-
-  /// Rows of several dimensions, the largest n: sort and unique, degree by degree.
-  static void build_mixed(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count);
-
-  static void orient(SimplicialComplex<n>& K, const SimplexList& rows);
+  /// Fills K from rows whose largest dimension is n and that hold at least `vertices` ids; `vertex_count` is what was asked
+  /// for, -1 if nothing was. Returns, for every top simplex, the sign of the permutation that sorts its row.
+  /// Throws   InputError for rows that are not sound, LimitError
+  static std::vector<Sign> build(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices, Index vertex_count);
 
  private:
+  /// All rows of dimension n = 2 or 3: blocks of vertices, each looked at once.
+  static std::vector<Sign> build_blocks(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices,
+                                        Index vertex_count)
+    requires(n == 2 || n == 3);
+  static void write_block(SimplicialComplex<n>& K, const BlockLinks<n>& links, Index first_vertex,
+                          const std::array<Index, 3>& first);
+  static void find_last_sides(SimplicialComplex<n>& K, Index triangles);
+
+  /// All rows of dimension n, whatever it is.
+  static std::vector<Sign> build_pure(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count);
+
+  /// Rows of several dimensions, the largest n: sort and unique, degree by degree.
+  static std::vector<Sign> build_mixed(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count);
+
   static void fill_lists(SimplicialComplex<n>& K, const UpperLink<n>& link, Index v);
   static void fill_top_faces(SimplicialComplex<n>& K, const UpperLink<n>& link, Index v, std::span<const Index> suffix,
                              Index top);
   static void fill_last_faces(SimplicialComplex<n>& K, int k);
 };
+
+/// total + count. Throws LimitError if that is more than `limit` simplices of degree k.
+Offset add_count(Offset total, Index count, int k, Offset limit = std::numeric_limits<Index>::max());
 
 /// Turns counts into ends: each becomes the sum up to and with it. Returns the last, the size of a list of k-simplices.
 /// Throws   LimitError if that exceeds `limit`

@@ -41,12 +41,14 @@ std::vector<Padded> faces_of_degree(const std::vector<std::vector<Index>>& rows,
 }  // namespace
 
 template <int n>
-void ComplexBuilder<n>::build_mixed(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count) {
+std::vector<Sign> ComplexBuilder<n>::build_mixed(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count) {
+  std::vector<Sign> signs;
   std::vector<std::vector<Index>> sorted(static_cast<std::size_t>(rows.size()));
   for (Offset row = 0; row < rows.size(); ++row) {
     auto& tuple = sorted[static_cast<std::size_t>(row)];
     tuple.assign(rows[row].begin(), rows[row].end());
-    std::ranges::sort(tuple);
+    const Sign sign = sort_with_sign(tuple);
+    if (static_cast<int>(tuple.size()) == n + 1) signs.push_back(sign);
   }
   const InputReport report = check_input(rows, vertex_count);
   require_valid_input(report, rows, vertex_count);
@@ -71,15 +73,19 @@ void ComplexBuilder<n>::build_mixed(SimplicialComplex<n>& K, const SimplexList& 
       }
       list = std::move(in_order);
     }
-    for (const Padded& simplex : list)
-      K.simplices_[k].insert(K.simplices_[k].end(), simplex.begin(), simplex.begin() + k + 1);
-    for (Index i = 0; k >= 2 && i < K.size(k); ++i) {
+    auto& simplices = K.simplices_[k] = BulkArray<Index>(list.size() * static_cast<std::size_t>(k + 1));
+    Index* vertex = simplices.begin();
+    for (const Padded& simplex : list) vertex = std::copy(simplex.begin(), simplex.begin() + k + 1, vertex);
+    if (k < 2) continue;
+    auto& faces = K.faces_[k] = BulkArray<Index>(simplices.size());
+    Index* next = faces.begin();
+    for (Index i = 0; i < K.size(k); ++i) {
       const auto simplex = K.simplex(k, i);
       std::array<Index, n + 1> face{};
       for (int omitted = k; omitted >= 0; --omitted) {
         std::copy(simplex.begin(), simplex.begin() + omitted, face.begin());
         std::copy(simplex.begin() + omitted + 1, simplex.end(), face.begin() + omitted);
-        K.faces_[k].push_back(K.find(std::span<const Index>(face.data(), static_cast<std::size_t>(k))).index);
+        *next++ = K.find(std::span<const Index>(face.data(), static_cast<std::size_t>(k))).index;
       }
     }
   }
@@ -96,14 +102,15 @@ void ComplexBuilder<n>::build_mixed(SimplicialComplex<n>& K, const SimplexList& 
     const int k = static_cast<int>(tuple.size()) - 1;
     K.rows_.push_back({k, k == n ? tops++ : K.find(tuple).index});
   }
+  return signs;
 }
 
-template class ComplexBuilder<0>;
-template class ComplexBuilder<1>;
-template class ComplexBuilder<2>;
-template class ComplexBuilder<3>;
-template class ComplexBuilder<4>;
-template class ComplexBuilder<5>;
-template class ComplexBuilder<6>;
+template std::vector<Sign> ComplexBuilder<0>::build_mixed(SimplicialComplex<0>&, const SimplexList&, Index);
+template std::vector<Sign> ComplexBuilder<1>::build_mixed(SimplicialComplex<1>&, const SimplexList&, Index);
+template std::vector<Sign> ComplexBuilder<2>::build_mixed(SimplicialComplex<2>&, const SimplexList&, Index);
+template std::vector<Sign> ComplexBuilder<3>::build_mixed(SimplicialComplex<3>&, const SimplexList&, Index);
+template std::vector<Sign> ComplexBuilder<4>::build_mixed(SimplicialComplex<4>&, const SimplexList&, Index);
+template std::vector<Sign> ComplexBuilder<5>::build_mixed(SimplicialComplex<5>&, const SimplexList&, Index);
+template std::vector<Sign> ComplexBuilder<6>::build_mixed(SimplicialComplex<6>&, const SimplexList&, Index);
 
 }  // namespace derham

@@ -13,21 +13,6 @@
 namespace derham {
 namespace {
 
-/// The quick look at every row: whether all ids are in range, distinct within their row, and used.
-bool looks_sound(const SimplexList& rows, Index vertex_count) {
-  std::vector<char> used(static_cast<std::size_t>(vertex_count), 0);
-  for (Offset row = 0; row < rows.size(); ++row) {
-    const auto tuple = rows[row];
-    for (std::size_t i = 0; i < tuple.size(); ++i) {
-      if (tuple[i] < 0 || tuple[i] >= vertex_count) return false;
-      used[static_cast<std::size_t>(tuple[i])] = 1;
-      for (std::size_t j = 0; j < i; ++j)
-        if (tuple[i] == tuple[j]) return false;
-    }
-  }
-  return std::ranges::find(used, char{0}) == used.end();
-}
-
 /// The largest dimension of `rows` is not n: throws for the first row that is too long, or else for the first of the
 /// longest, none of which is long enough.
 [[noreturn]] void refuse_dimension(const SimplexList& rows, int n) {
@@ -56,13 +41,9 @@ SimplicialComplex<n>::SimplicialComplex(const SimplexList& rows, Index vertex_co
     throw LimitError(text(rows.size(), " rows do not fit the index type; build derham with DERHAM_INDEX64=ON"));
   const Index vertices = vertex_count < 0 ? rows.vertex_bound() : vertex_count;
   // More vertices than ids: some vertex is unused, found without allocating by the largest id.
-  if (static_cast<std::size_t>(vertices) > rows.vertices().size() || !looks_sound(rows, vertices))
+  if (vertices < 0 || static_cast<std::size_t>(vertices) > rows.vertices().size())
     require_valid_input(check_input(rows, vertex_count), rows, vertex_count);
-  if (rows.is_uniform())
-    ComplexBuilder<n>::build_pure(*this, rows, vertices);
-  else
-    ComplexBuilder<n>::build_mixed(*this, rows, vertices);
-  ComplexBuilder<n>::orient(*this, rows);
+  orientation_ = coherent_orientation(*this, ComplexBuilder<n>::build(*this, rows, vertices, vertex_count));
 }
 
 template <int n>

@@ -3,6 +3,7 @@
 #include "derham/complex/orientation.hpp"
 #include "derham/complex/simplex.hpp"
 #include "derham/complex/simplex_list.hpp"
+#include "derham/core/bulk_array.hpp"
 #include "derham/core/types.hpp"
 
 #include <array>
@@ -145,11 +146,11 @@ class SimplicialComplex {
   template <int>
   friend class ComplexBuilder;
 
-  std::array<std::vector<Index>, n + 1> simplices_;  // [k]: (|K_k|, k+1)
-  std::array<std::vector<Index>, n + 1> faces_;      // [k]: (|K_k|, k+1) for k >= 2
-  std::array<std::vector<Index>, n + 1> buckets_;    // [k]: (|V|+1,) k-simplices by first vertex, k >= 1
-  std::vector<Index> top_order_;                     // degree n in lexicographic order; empty if already sorted
-  std::vector<RowTarget> rows_;                      // only when the input mixes dimensions
+  std::array<BulkArray<Index>, n + 1> simplices_;  // [k]: (|K_k|, k+1)
+  std::array<BulkArray<Index>, n + 1> faces_;      // [k]: (|K_k|, k+1) for k >= 2
+  std::array<std::vector<Index>, n + 1> buckets_;  // [k]: (|V|+1,) k-simplices by first vertex, k >= 1
+  std::vector<Index> top_order_;                   // degree n in lexicographic order; empty if already sorted
+  std::vector<RowTarget> rows_;                    // only when the input mixes dimensions
   std::vector<RowTarget> maximal_lower_;
   Orientation orientation_;
 };

@@ -1,8 +1,8 @@
 #include "derham/io/file_bytes.hpp"
 
 #include "derham/core/error.hpp"
+#include "derham/core/large_pages.hpp"
 #include "derham/core/text.hpp"
-#include "derham/io/large_pages.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,6 +1,6 @@
+#include "derham/core/large_pages.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/gmsh_reading.hpp"
-#include "derham/io/large_pages.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
+#include "derham/core/large_pages.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/gmsh_groups.hpp"
 #include "derham/io/gmsh_reading.hpp"
-#include "derham/io/large_pages.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "derham/core/large_pages.hpp"
 #include "derham/core/types.hpp"
 #include "derham/geometry/mesh_data.hpp"
-#include "derham/io/large_pages.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "derham/io/npy.hpp"
 
+#include "derham/core/large_pages.hpp"
 #include "derham/core/text.hpp"
-#include "derham/io/large_pages.hpp"
 #include "derham/io/number_block.hpp"
 
 #include <cstddef>

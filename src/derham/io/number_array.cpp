@@ -1,6 +1,6 @@
 #include "derham/io/number_array.hpp"
 
-#include "derham/io/large_pages.hpp"
+#include "derham/core/large_pages.hpp"
 
 #include <charconv>
 #include <cmath>

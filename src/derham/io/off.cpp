@@ -1,6 +1,6 @@
+#include "derham/core/large_pages.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
-#include "derham/io/large_pages.hpp"
 #include "derham/io/listed_simplices.hpp"
 #include "derham/io/polygons.hpp"
 

@@ -1,5 +1,5 @@
+#include "derham/core/large_pages.hpp"
 #include "derham/core/text.hpp"
-#include "derham/io/large_pages.hpp"
 #include "derham/io/ply_elements.hpp"
 
 #include <array>

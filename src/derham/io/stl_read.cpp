@@ -1,8 +1,8 @@
 #include "derham/core/error.hpp"
+#include "derham/core/large_pages.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/byte_order.hpp"
 #include "derham/io/formats.hpp"
-#include "derham/io/large_pages.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
+#include "derham/core/large_pages.hpp"
 #include "derham/core/text.hpp"
 #include "derham/io/formats.hpp"
-#include "derham/io/large_pages.hpp"
 #include "derham/io/vtk_cells.hpp"
 #include "derham/io/vtk_data.hpp"
 #include "derham/io/vtk_input.hpp"

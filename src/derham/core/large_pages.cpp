@@ -1,4 +1,4 @@
-#include "derham/io/large_pages.hpp"
+#include "derham/core/large_pages.hpp"
 
 #include <cstdint>
 

@@ -1,0 +1,139 @@
+// Construction for n = 2 and 3, block of vertices by block: see docs/performance.md. One block after the other learns from
+// the one before it where its simplices begin in the lists, so that the links of a vertex are looked at once.
+#include "derham/complex/block_links.hpp"
+#include "derham/complex/construction.hpp"
+#include "derham/complex/find_value.hpp"
+#include "derham/complex/validation.hpp"
+#include "derham/core/ordered_blocks.hpp"
+#include "derham/core/parallel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+
+namespace derham {
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+/// Writes what `links` found in `block` to its place in the lists and tables of K.
+template <int n>
+void ComplexBuilder<n>::write_block(SimplicialComplex<n>& K, const BlockLinks<n>& links, Index first_vertex,
+                                    const std::array<Index, 3>& first) {
+  const auto [edge, triangle, top] = first;
+  const auto write_ends = [&](int k, std::span<const Index> begin, Index base) {
+    for (std::size_t v = 1; v < begin.size(); ++v) K.buckets_[at(k)][at(first_vertex) + v] = base + begin[v];
+  };
+  write_ends(n, links.top_begin(), top);
+  write_ends(1, links.edge_begin(), edge);
+  Index* edges = K.simplices_[1].data() + at(edge) * 2;
+  const auto begin = links.edge_begin();
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v)
+    for (Index e = begin[v]; e < begin[v + 1]; ++e) {
+      *edges++ = first_vertex + static_cast<Index>(v);
+      *edges++ = links.neighbours()[e];
+    }
+  if constexpr (n == 3) {
+    write_ends(2, links.triangle_begin(), triangle);
+    std::copy_n(links.triangles(), at(links.triangle_count()) * 3, K.simplices_[2].data() + at(triangle) * 3);
+    Index* faces = K.faces_[2].data() + at(triangle) * 3;
+    for (Index i = 0; i < 2 * links.triangle_count(); i += 2, faces += 3) {
+      faces[0] = edge + links.triangle_sides()[i];
+      faces[1] = edge + links.triangle_sides()[i + 1];
+    }
+  }
+  const Index facet = n == 2 ? edge : triangle;
+  const auto begins = links.tops(0), continues = links.tops(1);
+  const auto faces_of = [&](Index t) { return K.faces_[n].data() + at(t) * (n + 1); };
+  constexpr std::size_t ahead =
+      16;  // tops of a block lie anywhere in the table if their order is not that of the vertices
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    if (i + ahead < begins.size()) __builtin_prefetch(faces_of(begins[i + ahead]), 1);
+    for (std::size_t f = 0; f < n; ++f) faces_of(begins[i])[f] = facet + links.top_faces(0)[i * n + f];
+  }
+  for (std::size_t i = 0; i < continues.size(); ++i) {
+    if (i + ahead < continues.size()) __builtin_prefetch(faces_of(continues[i + ahead]), 1);
+    faces_of(continues[i])[n] = facet + links.top_faces(1)[i];
+  }
+  std::ranges::copy(links.order(), K.top_order_.begin() + top);
+}
+
+/// The face of every triangle that omits its first vertex.
+template <int n>
+void ComplexBuilder<n>::find_last_sides(SimplicialComplex<n>& K, Index triangles) {
+  constexpr Offset ahead = 16;
+  const Index *const edges = K.simplices_[1].data(), *const triangle = K.simplices_[2].data();
+  const Index* const bucket = K.buckets_[1].data();
+  Index* const faces = K.faces_[2].data();
+  const auto edges_from = [&](Offset i) { return edges + at(bucket[triangle[3 * i + 1]]) * 2; };
+  parallel_blocks(triangles, 1 << 14, [&](Offset first, Offset last) {
+    for (Offset i = first; i < last; ++i) {
+      if (i + ahead < last) __builtin_prefetch(edges_from(i + ahead));
+      // Of the edges from v1 the one to v2: no id before it in the list is v2, as v1 < v2 and each edge is there once.
+      faces[3 * i + 2] = static_cast<Index>((find_value(edges_from(i), triangle[3 * i + 2]) - edges) / 2);
+    }
+  });
+}
+
+template <int n>
+std::vector<Sign> ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices,
+                                                  Index vertex_count)
+  requires(n == 2 || n == 3)
+{
+  const auto refuse = [&] { require_valid_input(check_input(rows, vertex_count), rows, vertex_count); };
+  TopBlocks<n> tops(rows.vertices(), vertices);
+  if (!tops.is_sound()) refuse();
+  // No more simplices than faces of top simplices. What is not needed is given back.
+  const auto count = tops.signs.size();
+  for (int k = 1; k <= n; ++k) {
+    K.buckets_[at(k)].assign(at(vertices) + 1, 0);
+    const auto most = count * at(static_cast<Index>(binomial(n + 1, k + 1)));
+    if (k < n) K.simplices_[at(k)] = BulkArray<Index>(most * at(k + 1) + (k == 1 ? find_value_margin : 0));
+    if (k == n || k == 2) K.faces_[at(k)] = BulkArray<Index>(most * at(k + 1));
+  }
+  K.top_order_.resize(count);
+
+  std::array<Offset, 3> total{};  // edges, triangles, tops so far
+  std::atomic<bool> defect{false}, in_order{true};
+  struct Work {
+    BlockLinks<n> links;
+    std::array<Index, 3> first{};
+  };
+  ordered_blocks(
+      tops.block_count(), [&] { return Work{BlockLinks<n>(tops, vertices)}; },
+      [&](Work& work, Offset block) { work.links.find(static_cast<Index>(block)); },
+      [&](Work& work, Offset) {
+        const std::array<Index, 3> counts{work.links.edge_count(), work.links.triangle_count(),
+                                          static_cast<Index>(work.links.order().size())};
+        for (std::size_t i = 0; i < 3; ++i) {
+          work.first[i] = static_cast<Index>(total[i]);
+          total[i] = add_count(total[i], counts[i], static_cast<int>(i) + 1);
+        }
+      },
+      [&](Work& work, Offset block) {
+        write_block(K, work.links, tops.first_vertex(static_cast<Index>(block)), work.first);
+        if (work.links.has_defect()) defect = true;
+        const auto order = work.links.order();
+        for (std::size_t i = 0; i < order.size(); ++i)
+          if (order[i] != work.first[2] + static_cast<Index>(i)) in_order = false;
+      });
+  if (defect) refuse();
+  if (in_order) std::vector<Index>().swap(K.top_order_);
+
+  const auto [edges, triangles, found] = total;
+  if constexpr (n == 3) {
+    std::fill_n(K.simplices_[1].begin() + edges * 2, find_value_margin, Index{-1});
+    find_last_sides(K, static_cast<Index>(triangles));
+    K.simplices_[2].shrink(at(static_cast<Index>(triangles)) * 3);
+    K.faces_[2].shrink(K.simplices_[2].size());
+  }
+  K.simplices_[1].shrink(at(static_cast<Index>(edges)) * 2);
+  K.simplices_[n] = std::move(tops.tuples);
+  return std::move(tops.signs);
+}
+template std::vector<Sign> ComplexBuilder<2>::build_blocks(SimplicialComplex<2>&, const SimplexList&, Index, Index);
+template std::vector<Sign> ComplexBuilder<3>::build_blocks(SimplicialComplex<3>&, const SimplexList&, Index, Index);
+
+}  // namespace derham

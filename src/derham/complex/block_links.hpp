@@ -1,0 +1,92 @@
+#pragma once
+
+#include "derham/complex/top_blocks.hpp"
+#include "derham/complex/upper_link.hpp"
+#include "derham/core/types.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace derham {
+
+/// The upper links of one block of vertices after the other, for n = 2 and 3: the edges and triangles that begin at the
+/// vertices of the block, in lexicographic order, and which of them are faces of which top simplex. All numbers count from
+/// the first edge (triangle) of the block. Internal to the room.
+///
+/// The few upper neighbours of a vertex are numbered as they are met, then ranked by counting which are smaller; a triangle
+/// is a pair of ranks, a bit of a small matrix, so that reading the bits in order lists the triangles in order. Up to 16
+/// neighbours nothing but the number of simplices decides where a branch goes. Vertices with very many simplices go
+/// through UpperLink, which has no limits.
+template <int n>
+class BlockLinks {
+  static_assert(n == 2 || n == 3);
+
+ public:
+  BlockLinks(const TopBlocks<n>& tops, Index vertex_count);
+
+  void find(Index block);
+
+  /// Local vertices v of the block: their edges are [edge_begin()[v], edge_begin()[v + 1]), and so on.
+  [[nodiscard]] std::span<const Index> edge_begin() const noexcept { return edge_begin_; }
+  [[nodiscard]] std::span<const Index> triangle_begin() const noexcept { return triangle_begin_; }
+  [[nodiscard]] std::span<const Index> top_begin() const noexcept { return groups_[0].begin; }
+  [[nodiscard]] Index edge_count() const noexcept { return edge_begin_.back(); }
+  [[nodiscard]] Index triangle_count() const noexcept { return triangle_begin_.back(); }
+
+  /// The second vertex of every edge.
+  [[nodiscard]] const Index* neighbours() const noexcept { return neighbours_.data(); }
+  /// The triangles as tuples, and their faces that contain the first vertex: (v0, v1), (v0, v2).
+  [[nodiscard]] const Index* triangles() const noexcept { return triangles_.data(); }
+  [[nodiscard]] const Index* triangle_sides() const noexcept { return sides_.data(); }
+
+  /// The top simplices whose vertex number p = 0, 1 lies in the block, in some order, and their faces that begin with that
+  /// vertex: n of each for p = 0, as in the face table; the last of the face table for p = 1.
+  [[nodiscard]] std::span<const Index> tops(std::size_t p) const noexcept { return groups_[p].top; }
+  [[nodiscard]] const Index* top_faces(std::size_t p) const noexcept { return groups_[p].faces.data(); }
+
+  /// The top simplices that begin in the block, in lexicographic order.
+  [[nodiscard]] std::span<const Index> order() const noexcept { return order_; }
+
+  /// Whether some vertex of the block belongs to no top simplex, or two top simplices are the same.
+  [[nodiscard]] bool has_defect() const noexcept { return defect_; }
+
+ private:
+  /// The top simplices whose vertex number p lies in the block, grouped by that vertex.
+  struct Group {
+    std::vector<Index> begin;  // (vertices + 1,)
+    std::vector<Index> rest;   // (count, n - p): the vertices behind
+    std::vector<Index> top;    // (count,)
+    std::vector<Index> faces;  // see top_faces
+  };
+  /// The part of a group that belongs to one vertex.
+  struct Star {
+    Index begin, count;
+  };
+
+  void group(int p, Index block);
+  bool number_neighbours(const std::array<Star, n>& stars);
+  template <int side>
+  void small_link(Index vertex, const std::array<Star, n>& stars);
+  void large_link(Index vertex, const std::array<Star, n>& stars);
+  void add_triangle(Index vertex, Index i, Index j);
+  void sort_tops(Star star);
+
+  const TopBlocks<n>& all_;
+  Index vertex_count_;
+  std::array<Group, n> groups_;
+  std::vector<Index> edge_begin_, triangle_begin_, neighbours_, triangles_, sides_, order_;
+  bool defect_ = false;
+
+  // Of the vertex at hand.
+  Index edges_ = 0, triangles_found_ = 0;  // before it
+  Index degree_ = 0;                       // number of its upper neighbours
+  std::vector<std::uint8_t> number_;       // (|V|,) 1 + the number of a neighbour, 0 elsewhere
+  std::vector<std::uint8_t> met_;          // the numbers of all vertices in its stars
+  std::vector<Index> next_;                // where the next of each vertex goes
+  std::unique_ptr<UpperLink<n>> large_;    // only when needed
+};
+
+}  // namespace derham
