@@ -67,9 +67,9 @@ void add_case(const std::string& name, const std::function<Kernel()>& make, Runs
   std::set<int> threads{1};
   if (runs == Runs::everywhere) threads.insert(cores());
   for (const int count : threads) {
-    auto* benchmark = benchmark::RegisterBenchmark(
-        (name + "/threads:" + std::to_string(count)).c_str(),
-        [make, count](benchmark::State& state) { measure(state, make, count); });
+    auto* benchmark =
+        benchmark::RegisterBenchmark((name + "/threads:" + std::to_string(count)).c_str(),
+                                     [make, count](benchmark::State& state) { measure(state, make, count); });
     benchmark->UseManualTime()->Unit(benchmark::kMillisecond);
     if (runs == Runs::once)
       benchmark->Iterations(1)->Repetitions(1);
@@ -81,10 +81,14 @@ void add_case(const std::string& name, const std::function<Kernel()>& make, Runs
 }  // namespace
 
 void add(const std::string& name, const std::vector<BenchMesh>& meshes, const MakeKernel& make, Runs runs) {
-  for (const auto& mesh : meshes) add_case(name + '/' + mesh.order, [make, &mesh] { return make(mesh); }, runs);
+  for (const auto& mesh : meshes)
+    add_case(
+        name + '/' + mesh.order, [make, &mesh] { return make(mesh); }, runs);
 }
 
-void add(const std::string& name, const std::function<Kernel()>& make) { add_case(name + "/-", make, Runs::everywhere); }
+void add(const std::string& name, const std::function<Kernel()>& make) {
+  add_case(name + "/-", make, Runs::everywhere);
+}
 
 void run_once(const std::string& regex, std::ostream& out) {
   set_thread_count(1);

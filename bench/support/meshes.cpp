@@ -1,6 +1,7 @@
 #include "bench/support/meshes.hpp"
 
 #include "derham/io/read_mesh.hpp"
+#include "derham/io/write_mesh.hpp"
 #include "derham/meshes/boxes.hpp"
 #include "derham/meshes/tori.hpp"
 
@@ -59,7 +60,8 @@ MeshData shuffled(const MeshData& mesh, std::uint64_t seed) {
   std::vector<Index> rows(new_row.size() * width);
   for (std::size_t i = 0; i < new_row.size(); ++i) {
     const auto row = mesh.simplices[static_cast<Offset>(i)];
-    std::ranges::transform(row, rows.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(new_row[i]) * width),
+    std::ranges::transform(row,
+                           rows.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(new_row[i]) * width),
                            [&](Index v) { return new_vertex[static_cast<std::size_t>(v)]; });
   }
   result.simplices = SimplexList(mesh.simplices.dimension(), std::move(rows));
@@ -79,15 +81,19 @@ MeshData shuffled(const MeshData& mesh, std::uint64_t seed) {
 }
 
 const std::vector<BenchMesh>& solids(const Options& options) {
-  static const auto meshes =
-      options.mesh.empty() ? both_orders(box_of(options.simplices)) : from_file(options.mesh, 3);
+  static const auto meshes = options.mesh.empty() ? both_orders(box_of(options.simplices)) : from_file(options.mesh, 3);
   return meshes;
 }
 
 const std::vector<BenchMesh>& surfaces(const Options& options) {
-  static const auto meshes = options.mesh.empty() ? both_orders(torus_of(options.simplices * 13 / 10))
-                                                  : from_file(options.mesh, 2);
+  static const auto meshes =
+      options.mesh.empty() ? both_orders(torus_of(options.simplices * 13 / 10)) : from_file(options.mesh, 2);
   return meshes;
+}
+
+void save_meshes(const Options& options) {
+  for (const auto* const meshes : {&solids(options), &surfaces(options)})
+    for (const auto& mesh : *meshes) write_mesh(options.save + '/' + mesh.order + ".npz", mesh.data);
 }
 
 }  // namespace derham::bench

@@ -35,6 +35,9 @@ struct BenchMesh {
 /// The same for triangles: 1.3 times as many, so 1.3M where solids have 1M.
 [[nodiscard]] const std::vector<BenchMesh>& surfaces(const Options& options);
 
+/// Writes them all to the folder options.save as "natural.npz", "shuffled triangles.npz" …
+void save_meshes(const Options& options);
+
 /// The complex of one of these meshes, built at the first call.
 template <int n>
 [[nodiscard]] const SimplicialComplex<n>& complex_of(const BenchMesh& mesh) {

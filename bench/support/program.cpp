@@ -43,6 +43,8 @@ bool take_options(int& argc, char** argv, Options& options) {
       sound = sound && error == std::errc() && end == value.data() + value.size() && options.simplices > 0;
     } else if (argument.starts_with("--mesh=")) {
       options.mesh = value;
+    } else if (argument.starts_with("--save=")) {
+      options.save = value;
     } else if (argument.starts_with("--once=")) {
       options.once = value;
     } else {
@@ -60,6 +62,10 @@ int run(int argc, char** argv) {
   ::mallopt(M_TRIM_THRESHOLD, 1 << 17);
   Options options;
   if (!take_options(argc, argv, options)) return 2;
+  if (!options.save.empty()) {
+    save_meshes(options);
+    return 0;
+  }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::AddCustomContext("compiler", DERHAM_BENCH_COMPILER);

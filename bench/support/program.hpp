@@ -9,6 +9,7 @@ namespace derham::bench {
 struct Options {
   std::int64_t simplices = 1'000'000;  ///< --simplices=N: about so many top simplices in the meshes of the generators
   std::string mesh;                    ///< --mesh=FILE: this mesh instead
+  std::string save;                    ///< --save=FOLDER: the meshes are written there as .npz, nothing is measured
   std::string once;                    ///< --once=REGEX: the kernels that match run once each, to count instructions
 };
 
