@@ -40,11 +40,12 @@ def task_table(benchmarks, kind):
     """`kind` is "" for tetrahedra, " triangles" for triangles. One thread each."""
     orders = ("natural" + kind, "shuffled" + kind)
     found = {(b.name, b.order): b for b in benchmarks if b.threads == 1 and b.order in orders}
-    tasks = dict.fromkeys(name.partition(": ")[0] for name, _ in found)
+    names = sorted(dict.fromkeys(name for name, _ in found), key=lambda name: not name.endswith(": derham"))
+    tasks = dict.fromkeys(name.partition(": ")[0] for name in names)
     rows = []
     for task in tasks:
         ours = {order: found.get((f"{task}: derham", order)) for order in orders}
-        for name in dict.fromkeys(n for n, _ in found if n.startswith(task + ": ")):
+        for name in (name for name in names if name.startswith(task + ": ")):
             columns = [cell for order in orders for cell in times(found.get((name, order)), ours[order])]
             memory = next((b.median("peak B/item") for (n, o), b in found.items() if n == name and o == orders[1]), None)
             rows.append([name, *columns, number(memory)])

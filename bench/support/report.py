@@ -40,9 +40,9 @@ def plain(name):
 
 
 def measurements(report):
-    """In the order in which they were first measured."""
+    """In the order in which they were registered."""
     runs = {}
-    for run in report["benchmarks"]:
+    for run in sorted(report["benchmarks"], key=lambda run: run.get("family_index", 0)):
         if run["run_type"] == "iteration":
             runs.setdefault(plain(run["run_name"]), []).append(run)
     return [Measurement(name, repetitions) for name, repetitions in runs.items()]
