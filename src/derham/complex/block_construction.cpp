@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <numeric>
 
 namespace derham {
 namespace {
@@ -57,7 +58,6 @@ void ComplexBuilder<n>::write_block(SimplicialComplex<n>& K, const BlockLinks<n>
     if (i + ahead < continues.size()) __builtin_prefetch(faces_of(continues[i + ahead]), 1);
     faces_of(continues[i])[n] = facet + links.top_faces(1)[i];
   }
-  std::ranges::copy(links.order(), K.top_order_.begin() + top);
 }
 
 /// The face of every triangle that omits its first vertex.
@@ -93,10 +93,11 @@ std::vector<Sign> ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const
     if (k < n) K.simplices_[at(k)] = BulkArray<Index>(most * at(k + 1) + (k == 1 ? find_value_margin : 0));
     if (k == n || k == 2) K.faces_[at(k)] = BulkArray<Index>(most * at(k + 1));
   }
-  K.top_order_.resize(count);
+  K.top_order_ = BulkArray<Index>(count);
+  std::vector<char> in_order(at(tops.block_count()), 1);  // whether the top simplices of a block stand in order
 
   std::array<Offset, 3> total{};  // edges, triangles, tops so far
-  std::atomic<bool> defect{false}, in_order{true};
+  std::atomic<bool> defect{false};
   struct Work {
     BlockLinks<n> links;
     std::array<Index, 3> first{};
@@ -117,10 +118,15 @@ std::vector<Sign> ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const
         if (work.links.has_defect()) defect = true;
         const auto order = work.links.order();
         for (std::size_t i = 0; i < order.size(); ++i)
-          if (order[i] != work.first[2] + static_cast<Index>(i)) in_order = false;
+          if (order[i] != work.first[2] + static_cast<Index>(i)) in_order[static_cast<std::size_t>(block)] = 0;
+        if (!in_order[static_cast<std::size_t>(block)]) std::ranges::copy(order, K.top_order_.begin() + work.first[2]);
       });
   if (defect) refuse();
-  if (in_order) std::vector<Index>().swap(K.top_order_);
+  if (std::ranges::find(in_order, char{0}) == in_order.end()) K.top_order_.shrink(0);
+  for (Index block = 0; block < tops.block_count() && !K.top_order_.empty(); ++block)
+    if (in_order[at(block)])
+      std::iota(K.top_order_.begin() + tops.before(block), K.top_order_.begin() + tops.before(block + 1),
+                tops.before(block));
 
   const auto [edges, triangles, found] = total;
   if constexpr (n == 3) {

@@ -161,7 +161,7 @@ void BlockLinks<n>::small_link(Index vertex, const std::array<Star, n>& stars) {
   const std::uint8_t* number = met_.data();
   const auto next = [&] { return rank[*number++]; };
   // Sorting keys of the top simplices: the ranks of their vertices, then their number in the star.
-  constexpr int most_keys = 16, key_bits = 4;
+  constexpr int most_keys = 32, key_bits = 5;
   std::array<Index, most_keys> key{};
   const auto set_key = [&](Index q, Index ranks) {
     if (q < most_keys) key[at(q)] = ranks << key_bits | q;
@@ -211,17 +211,19 @@ void BlockLinks<n>::small_link(Index vertex, const std::array<Star, n>& stars) {
 
   if (first.count > most_keys) return sort_tops(first);
   const Index count = first.count;
-  const auto place = [&] {
-    if (count > 8) return places<most_keys>(key.data(), count);
-    std::array<Index, most_keys> result{};
-    std::ranges::copy(places<8>(key.data(), count), result.begin());
-    return result;
-  }();
   std::array<Index, most_keys> ranks;
-  for (std::size_t q = 0; q < at(count); ++q) {
-    order_[at(first.begin + place[q])] = groups_[0].top[at(first.begin) + q];
-    ranks[at(place[q])] = key[q] >> key_bits;
-  }
+  const auto sort_keys = [&](const auto& place) {
+    for (std::size_t q = 0; q < at(count); ++q) {
+      order_[at(first.begin + place[q])] = groups_[0].top[at(first.begin) + q];
+      ranks[at(place[q])] = key[q] >> key_bits;
+    }
+  };
+  if (count <= 8)
+    sort_keys(places<8>(key.data(), count));
+  else if (count <= 16)
+    sort_keys(places<16>(key.data(), count));
+  else
+    sort_keys(places<most_keys>(key.data(), count));
   for (std::size_t q = 1; q < at(count); ++q) defect_ |= ranks[q] == ranks[q - 1];
 }
 

@@ -239,7 +239,7 @@ std::vector<Sign> ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const S
     }
     if (n >= 2) K.faces_[n] = BulkArray<Index>(T.size());
     K.buckets_[n] = records[0].begin;
-    K.top_order_.resize(static_cast<std::size_t>(tops));
+    K.top_order_ = BulkArray<Index>(static_cast<std::size_t>(tops));
 
     // Fill: lists, and all faces whose first vertex is v.
     std::atomic<bool> duplicate{false}, in_order{true};
@@ -264,7 +264,7 @@ std::vector<Sign> ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const S
           const auto c = std::lexicographical_compare_three_way(sa.begin(), sa.end(), sb.begin(), sb.end());
           return c != 0 ? c < 0 : a < b;
         };
-        const auto order = std::span(K.top_order_)
+        const auto order = std::span<Index>(K.top_order_)
                                .subspan(static_cast<std::size_t>(records[0].begin[static_cast<std::size_t>(v)]),
                                         static_cast<std::size_t>(records[0].count(v)));
         std::iota(order.begin(), order.end(), Index{0});
@@ -278,7 +278,7 @@ std::vector<Sign> ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const S
       }
     });
     if (duplicate) require_valid_input(check_input(rows, vertex_count), rows, vertex_count);
-    if (in_order) std::vector<Index>().swap(K.top_order_);
+    if (in_order) K.top_order_.shrink(0);
 
     // Look up: of every simplex between, the face that omits its first vertex begins at another vertex.
     for (int k = 2; k < n; ++k) fill_last_faces(K, k);

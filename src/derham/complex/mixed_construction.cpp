@@ -64,7 +64,7 @@ std::vector<Sign> ComplexBuilder<n>::build_mixed(SimplicialComplex<n>& K, const 
     std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
     if (k == n) {  // top simplices keep the order of the input
       std::vector<Padded> in_order;
-      K.top_order_.resize(list.size());
+      K.top_order_ = BulkArray<Index>(list.size());
       for (const auto& tuple : sorted) {
         if (static_cast<int>(tuple.size()) != n + 1) continue;
         const auto place = std::ranges::lower_bound(list, padded(tuple)) - list.begin();

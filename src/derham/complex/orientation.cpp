@@ -3,6 +3,7 @@
 #include "derham/complex/one_sided_walk.hpp"
 #include "derham/complex/signed_trees.hpp"
 #include "derham/complex/simplicial_complex.hpp"
+#include "derham/core/bulk_array.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 
@@ -23,7 +24,7 @@ constexpr Word untouched = 0, closed = 1, first_word = 2;
 
 /// Every top simplex as the word of a tree: `tree[t]` is odd if its sign is not the preferred one.
 struct Growth {
-  std::vector<Word> tree;
+  BulkArray<Word> tree;
   SignedTrees trees;
   bool reversing = false;  // some word is odd
   bool crowded = false;    // some facet had been closed already when a coface came
@@ -33,10 +34,10 @@ struct Growth {
 /// that is coherent with it; trees that it touches besides are the same set. So a facet is looked up twice and a
 /// neighbour never, and in an order in which neighbours follow each other few trees arise.
 template <int n>
-Growth grow(const SimplicialComplex<n>& K, std::span<const Sign> preferred, std::vector<Word> facet_state) {
+Growth grow(const SimplicialComplex<n>& K, std::span<const Sign> preferred, BulkArray<Word> facet_state) {
   const Index tops = K.size(n);
   Growth result;
-  result.tree.resize(preferred.size());
+  result.tree = BulkArray<Word>(preferred.size());
   for (Index t = 0; t < tops; ++t) {
     for (const Index f : K.template faces<n>(t + std::min(prefetch_distance, tops - 1 - t)))
       __builtin_prefetch(&facet_state[static_cast<std::size_t>(f)], 1);
@@ -67,10 +68,17 @@ Growth grow(const SimplicialComplex<n>& K, std::span<const Sign> preferred, std:
   return result;
 }
 
+template <int n>
+BulkArray<Word> untouched_facets(const SimplicialComplex<n>& K) {
+  BulkArray<Word> state(static_cast<std::size_t>(K.size(n - 1)));
+  std::ranges::fill(state, untouched);
+  return state;
+}
+
 /// Closed where a facet has more than two cofaces, else untouched.
 template <int n>
-std::vector<Word> crowded_facets(const SimplicialComplex<n>& K) {
-  std::vector<Word> state(static_cast<std::size_t>(K.size(n - 1)), untouched);
+BulkArray<Word> crowded_facets(const SimplicialComplex<n>& K) {
+  auto state = untouched_facets(K);
   std::vector<std::uint8_t> cofaces(state.size(), 0);
   for (const Index f : K.face_table(n))
     if (auto& count = cofaces[static_cast<std::size_t>(f)]; count < 3 && ++count == 3)
@@ -96,10 +104,11 @@ template <int n>
 Growth growth(const SimplicialComplex<n>& K, std::span<const Sign> preferred) {
   if constexpr (n == 0) {
     Growth result;
-    for (std::size_t t = 0; t < preferred.size(); ++t) result.tree.push_back(result.trees.plant());
+    result.tree = BulkArray<Word>(preferred.size());
+    for (Word& tree : result.tree) tree = result.trees.plant();
     return result;
   } else {
-    Growth result = grow(K, preferred, std::vector<Word>(static_cast<std::size_t>(K.size(n - 1)), untouched));
+    Growth result = grow(K, preferred, untouched_facets(K));
     return result.crowded ? grow(K, preferred, crowded_facets(K)) : std::move(result);
   }
 }

@@ -149,7 +149,7 @@ class SimplicialComplex {
   std::array<BulkArray<Index>, n + 1> simplices_;  // [k]: (|K_k|, k+1)
   std::array<BulkArray<Index>, n + 1> faces_;      // [k]: (|K_k|, k+1) for k >= 2
   std::array<std::vector<Index>, n + 1> buckets_;  // [k]: (|V|+1,) k-simplices by first vertex, k >= 1
-  std::vector<Index> top_order_;                   // degree n in lexicographic order; empty if already sorted
+  BulkArray<Index> top_order_;                     // degree n in lexicographic order; empty if already sorted
   std::vector<RowTarget> rows_;                    // only when the input mixes dimensions
   std::vector<RowTarget> maximal_lower_;
   Orientation orientation_;
