@@ -2,6 +2,7 @@
 #include "derham/boundary/chain.hpp"
 #include "derham/boundary/eigen.hpp"
 #include "derham/boundary/matrix.hpp"
+#include "derham/boundary/matrix_free.hpp"
 #include "derham/core/error.hpp"
 
 #include <gtest/gtest.h>

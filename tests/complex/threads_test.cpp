@@ -1,4 +1,6 @@
 // The same bits for any number of threads; run under ThreadSanitizer as well.
+#include "derham/complex/cofaces.hpp"
+#include "derham/complex/incidence.hpp"
 #include "derham/complex/simplicial_complex.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/parallel.hpp"
@@ -8,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace derham {
@@ -48,6 +51,25 @@ TEST_F(Threads, DoNotChangeTheComplex) {
   expect_same_for_any_number_of_threads<2>(meshes::box(2, 90).simplices);
   expect_same_for_any_number_of_threads<3>(meshes::box(3, 18).simplices);
   expect_same_for_any_number_of_threads<4>(meshes::box(4, 6).simplices);
+}
+
+TEST_F(Threads, DoNotChangeTheTransposedTables) {
+  support::Random random(1);
+  const SimplicialComplex<3> K(
+      support::simplex_list(support::shuffled(reference::tuples(meshes::box(3, 18).simplices), random)));
+  for (int k = 0; k < 3; ++k) {
+    set_thread_count(1);
+    const Cofaces serial(K, k);
+    const Incidence stars = incidence(K, k, 3);
+    for (const int threads : {2, 4, 7, 20}) {
+      set_thread_count(threads);
+      const Cofaces parallel(K, k);
+      ASSERT_TRUE(std::ranges::equal(parallel.offsets(), serial.offsets()));
+      ASSERT_TRUE(std::ranges::equal(parallel.packed(), serial.packed()));
+      ASSERT_EQ(incidence(K, k, 3).offsets, stars.offsets);
+      ASSERT_EQ(incidence(K, k, 3).indices, stars.indices);
+    }
+  }
 }
 
 TEST_F(Threads, ADuplicateIsFoundWhicheverThreadMeetsIt) {

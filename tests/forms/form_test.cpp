@@ -1,5 +1,6 @@
 #include "derham/forms/form.hpp"
 
+#include "derham/core/error.hpp"
 #include "derham/forms/exterior_derivative.hpp"
 
 #include <gtest/gtest.h>
@@ -82,6 +83,7 @@ void expect_laws_of_degree(const SimplicialComplex<n>& K, std::uint64_t seed) {
       for (Index i = 0; i < test.size(); ++i) left += test[i] * d_dual[i];
       for (Index i = 0; i < dual.size(); ++i) right += d_test[i] * dual[i];
       EXPECT_EQ(left, ((n - k) % 2 == 0 ? 1 : -1) * right);
+      EXPECT_EQ(d(dual, Cofaces(K, n - k - 1)), d_dual);
     }
     expect_laws_of_degree<n, k + 1>(K, seed);
   }
@@ -119,6 +121,14 @@ TEST(Form, RefusesWrongLengthsAndForeignComplexes) {
   EXPECT_THROW((Form<2, 1>(K, {1, 2})), InputError);
   EXPECT_THROW((Form<2, 1>(K) += Form<2, 1>(L)), InputError);
   EXPECT_THROW((void)pair(Form<2, 1>(K), Chain<2, 1>(L)), InputError);
+}
+
+TEST(DualDerivative, RefusesCofacesOfAnotherDegreeOrComplex) {
+  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}}), L(SimplexList{{0, 1, 2}, {1, 2, 3}});
+  const DualForm<2, 0> w(K);
+  EXPECT_NO_THROW((void)d(w, Cofaces(K, 1)));
+  EXPECT_THROW((void)d(w, Cofaces(K, 0)), InputError);
+  EXPECT_THROW((void)d(w, Cofaces(L, 1)), InputError);
 }
 
 TEST(FundamentalChain, HasTheOrientedRimAsBoundaryBecauseInteriorFacetsCancel) {

@@ -1,9 +1,11 @@
 #include "derham/hodge/hodge_star.hpp"
 
 #include "derham/core/error.hpp"
+#include "derham/core/parallel.hpp"
 #include "derham/meshes/boxes.hpp"
 #include "derham/meshes/lattices.hpp"
 #include "geometry/mesh_kit.hpp"
+#include "support/random_values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +14,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace derham {
 namespace {
@@ -136,6 +139,39 @@ TEST(Hodge, RefusesFormsOfOtherComplexesAndWrongDegrees) {
   EXPECT_THROW((void)a.star(PrimalForm<2, 1>(b.K)), InputError);
   EXPECT_THROW((void)a.star.diagonal(3), InputError);
   EXPECT_THROW((void)a.star.diagonal(-1), InputError);
+}
+
+TEST(HodgeStar, AppliesItselfAndItsInverseToSeveralVectorsOnAnyNumberOfThreads) {
+  const int before = thread_count();
+  const Space<3> space(meshes::a_star_lattice(3, 9));
+  for (int k = 0; k <= 3; ++k) {
+    const auto star = space.star.diagonal(k);
+    const auto inverse = space.star.inverse_diagonal(k);
+    for (const std::size_t columns : {1u, 3u}) {
+      const auto x = support::random_values(static_cast<Offset>(star.size() * columns), 1);
+      std::vector<double> times = x, over = x, y(x.size());
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        times[i] *= star[i / columns];
+        over[i] *= inverse[i / columns];
+      }
+      for (const int threads : {1, 2, 4}) {
+        set_thread_count(threads);
+        space.star.apply(k, x, y, static_cast<Index>(columns));
+        EXPECT_EQ(y, times);
+        space.star.apply_inverse(k, x, y, static_cast<Index>(columns));
+        EXPECT_EQ(y, over);
+      }
+      y = x;
+      space.star.apply(k, y, y, static_cast<Index>(columns));
+      EXPECT_EQ(y, times) << "in place";
+    }
+  }
+  std::vector<double> x(static_cast<std::size_t>(space.K.size(1))), short_one(3);
+  EXPECT_THROW(space.star.apply(4, x, x), InputError);
+  EXPECT_THROW(space.star.apply(0, x, x), InputError);
+  EXPECT_THROW(space.star.apply(1, x, short_one), InputError);
+  EXPECT_THROW(space.star.apply_inverse(1, short_one, x), InputError);
+  set_thread_count(before);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "derham/complex/simplicial_complex.hpp"
 #include "derham/core/types.hpp"
 
-#include <span>
 #include <vector>
 
 namespace derham {
@@ -34,17 +33,5 @@ template <int n>
 /// Source   Elcott & Schröder, §6.1
 template <int n>
 [[nodiscard]] SignMatrix coboundary_matrix(const SimplicialComplex<n>& K, int k);
-
-/// y = d_k x without a matrix: each (k+1)-simplex gathers from its faces. On several threads, same bits always.
-/// Shape    x (|K_k|,), y (|K_{k+1}|,), not overlapping
-/// Throws   InputError on a wrong degree or length
-template <int n>
-void apply_coboundary(const SimplicialComplex<n>& K, int k, std::span<const double> x, std::span<double> y);
-
-/// y = ∂_k x without a matrix: each k-simplex adds to its faces, in index order.
-/// Shape    x (|K_k|,), y (|K_{k-1}|,), not overlapping
-/// Throws   InputError on a wrong degree or length
-template <int n>
-void apply_boundary(const SimplicialComplex<n>& K, int k, std::span<const double> x, std::span<double> y);
 
 }  // namespace derham

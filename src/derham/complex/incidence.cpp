@@ -1,24 +1,21 @@
 #include "derham/complex/incidence.hpp"
 
+#include "derham/complex/transposed_table.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace derham {
 namespace {
 
-/// Rows of the table become columns; rows of the result are increasing because they are filled in order.
-Incidence transposed(const Incidence& table, Index columns) {
+/// Rows of `width` indices become columns; rows of the result are increasing because they are filled in order.
+Incidence transposed(std::span<const Index> table, Offset width, Index columns) {
   Incidence result;
-  result.offsets.assign(static_cast<std::size_t>(columns) + 1, 0);
-  for (const Index j : table.indices) ++result.offsets[static_cast<std::size_t>(j) + 1];
-  std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
-  result.indices.resize(table.indices.size());
-  std::vector<Offset> next(result.offsets.begin(), result.offsets.end() - 1);
-  for (Index i = 0; i < table.rows(); ++i)
-    for (const Index j : table[i]) result.indices[static_cast<std::size_t>(next[static_cast<std::size_t>(j)]++)] = i;
+  result.offsets.resize(static_cast<std::size_t>(columns) + 1);
+  result.indices.resize(table.size());
+  detail::transpose_table<Offset>(table, static_cast<std::size_t>(width), result.offsets, result.indices,
+                                  [](Index row, std::size_t) { return row; });
   return result;
 }
 
@@ -54,7 +51,9 @@ template <int n>
 Incidence incidence(const SimplicialComplex<n>& K, int k, int m) {
   if (k < 0 || k > n || m < 0 || m > n)
     throw InputError(text("incidence(", k, ", ", m, ") in a complex of dimension ", n, "; degrees are 0 to ", n));
-  return k >= m ? downward(K, k, m) : transposed(downward(K, m, k), K.size(k));
+  if (k >= m) return downward(K, k, m);
+  if (m == k + 1) return transposed(K.face_table(m), m + 1, K.size(k));
+  return transposed(downward(K, m, k).indices, binomial(m + 1, k + 1), K.size(k));
 }
 
 template <int n>

@@ -1,10 +1,21 @@
 #pragma once
 
 #include "derham/boundary/chain.hpp"
-#include "derham/boundary/matrix.hpp"
+#include "derham/boundary/matrix_free.hpp"
+#include "derham/complex/cofaces.hpp"
+#include "derham/core/error.hpp"
+#include "derham/core/text.hpp"
 #include "derham/forms/form.hpp"
 
 namespace derham {
+
+namespace detail {
+template <int n>
+void require_dual_cells(const SimplicialComplex<n>& K) {
+  if (!K.is_orientable())
+    throw TopologyError("the complex is not orientable, so its dual cells have no coherent orientation");
+}
+}  // namespace detail
 
 /// The exterior derivative of a primal k-form: (dw)(s) = w(∂s), so that Stokes' theorem holds exactly.
 ///
@@ -35,11 +46,23 @@ template <int n, int k>
 template <int n, int j>
   requires(j < n)
 [[nodiscard]] Form<n, j + 1, Side::dual> d(const Form<n, j, Side::dual>& w) {
-  if (!w.complex().is_orientable())
-    throw TopologyError("the complex is not orientable, so its dual cells have no coherent orientation");
+  detail::require_dual_cells(w.complex());
   Form<n, j + 1, Side::dual> result(w.complex());
-  apply_boundary(w.complex(), n - j, w.values(), result.values());
-  if ((n - j) % 2 != 0) result *= -1;
+  detail::apply_boundary(w.complex(), n - j, (n - j) % 2 != 0, w.values(), result.values(), 1);
+  return result;
+}
+
+/// The same bits, on several threads.
+/// Throws   as above; InputError unless `cofaces` are those of the (n-j-1)-simplices
+template <int n, int j>
+  requires(j < n)
+[[nodiscard]] Form<n, j + 1, Side::dual> d(const Form<n, j, Side::dual>& w, const Cofaces& cofaces) {
+  detail::require_dual_cells(w.complex());
+  if (cofaces.degree() != n - j - 1)
+    throw InputError(
+        text("cofaces of degree ", cofaces.degree(), "; d of a dual ", j, "-form needs degree ", n - j - 1));
+  Form<n, j + 1, Side::dual> result(w.complex());
+  detail::apply_boundary(w.complex(), cofaces, (n - j) % 2 != 0, w.values(), result.values(), 1);
   return result;
 }
 

@@ -1,13 +1,44 @@
 #include "derham/hodge/hodge_star.hpp"
 
+#include "derham/boundary/matrix_free.hpp"
+#include "derham/boundary/stencil.hpp"
+#include "derham/core/parallel.hpp"
 #include "derham/core/text.hpp"
 #include "derham/dual/circumcentric.hpp"
 #include "derham/geometry/naming.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <utility>
 
 namespace derham {
+namespace {
+
+/// y = factor(diagonal) x, row by row. Returns whether the diagonal holds a zero.
+template <class Factor>
+bool scale(std::span<const double> diagonal, std::span<const double> x, std::span<double> y, Index columns,
+           Factor&& factor) {
+  detail::require_shape("x", x.size(), static_cast<Index>(diagonal.size()), columns);
+  detail::require_shape("y", y.size(), static_cast<Index>(diagonal.size()), columns);
+  constexpr Offset grain = 1 << 14;
+  std::atomic<bool> zero = false;
+  detail::with_columns(columns, [&](auto r) {
+    parallel_blocks(
+        static_cast<Offset>(diagonal.size()), grain,
+        [&zero, &factor, r, d = diagonal.data(), from = x.data(), to = y.data()](Offset first, Offset last) {
+          bool any = false;
+          for (Offset i = first; i < last; ++i) {
+            const double times = factor(d[i]);
+            any |= d[i] == 0;
+            for (Offset c = 0; c < r; ++c) to[i * r + c] = times * from[i * r + c];
+          }
+          if (any) zero = true;
+        });
+  });
+  return zero;
+}
+
+}  // namespace
 
 template <int n>
 HodgeStar<n>::HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geometry) : complex_(&K) {
@@ -56,10 +87,15 @@ std::vector<double> HodgeStar<n>::inverse_diagonal(int k) const {
 }
 
 template <int n>
-void HodgeStar<n>::multiply(const SimplicialComplex<n>& K, std::span<const double> diagonal, std::span<const double> x,
-                            std::span<double> y) const {
-  if (&K != complex_) throw InputError("the form and the Hodge star belong to different complexes");
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] = diagonal[i] * x[i];
+void HodgeStar<n>::apply(int k, std::span<const double> x, std::span<double> y, Index columns) const {
+  scale(diagonal(k), x, y, columns, [](double star) { return star; });
+}
+
+template <int n>
+void HodgeStar<n>::apply_inverse(int k, bool minus, std::span<const double> x, std::span<double> y,
+                                 Index columns) const {
+  if (scale(diagonal(k), x, y, columns, [minus](double star) { return (minus ? -1 : 1) / star; }))
+    (void)inverse_diagonal(k);  // throws, with the names
 }
 
 template class HodgeStar<0>;

@@ -35,12 +35,25 @@ class HodgeStar {
   /// 1/star[i], shape (|K_k|,). Throws GeometryError naming the k-simplices whose dual volume is zero.
   [[nodiscard]] std::vector<double> inverse_diagonal(int k) const;
 
+  /// y = ⋆_k x: each value times its entry of the diagonal. On several threads, same bits always.
+  /// Shape    x, y (|K_k|, columns) row-major; y may be x
+  /// Throws   InputError unless 0 <= k <= n and columns >= 1, or on a wrong length
+  void apply(int k, std::span<const double> x, std::span<double> y, Index columns = 1) const;
+
+  /// y = ⋆_k^-1 x: each value times the inverse of its entry.
+  /// Shape    as above
+  /// Throws   as above; GeometryError naming the k-simplices whose dual volume is zero, and then y is not meaningful
+  void apply_inverse(int k, std::span<const double> x, std::span<double> y, Index columns = 1) const {
+    apply_inverse(k, false, x, y, columns);
+  }
+
   /// ⋆ of a primal k-form.
   /// Throws   InputError if the form belongs to another complex
   template <int k>
   [[nodiscard]] Form<n, n - k, Side::dual> operator()(const Form<n, k, Side::primal>& w) const {
+    require_same(w.complex());
     Form<n, n - k, Side::dual> result(*complex_);
-    multiply(w.complex(), diagonal(k), w.values(), result.values());
+    apply(k, w.values(), result.values());
     return result;
   }
 
@@ -48,23 +61,31 @@ class HodgeStar {
   /// Throws   GeometryError naming simplices whose dual volume is zero; InputError as above
   template <int j>
   [[nodiscard]] Form<n, n - j, Side::primal> operator()(const Form<n, j, Side::dual>& w) const {
-    auto result = inverse(w);
-    if (j * (n - j) % 2 != 0) result *= -1;
-    return result;
+    return inverse(w, j * (n - j) % 2 != 0);
   }
 
   /// ⋆_k^-1 of a dual (n-k)-form, without the sign of the dual -> primal star: inverse(⋆w) = w.
   /// Throws   as above
   template <int j>
   [[nodiscard]] Form<n, n - j, Side::primal> inverse(const Form<n, j, Side::dual>& w) const {
-    Form<n, n - j, Side::primal> result(*complex_);
-    multiply(w.complex(), inverse_diagonal(n - j), w.values(), result.values());
-    return result;
+    return inverse(w, false);
   }
 
  private:
-  void multiply(const SimplicialComplex<n>& K, std::span<const double> diagonal, std::span<const double> x,
-                std::span<double> y) const;
+  template <int j>
+  [[nodiscard]] Form<n, n - j, Side::primal> inverse(const Form<n, j, Side::dual>& w, bool minus) const {
+    require_same(w.complex());
+    Form<n, n - j, Side::primal> result(*complex_);
+    apply_inverse(n - j, minus, w.values(), result.values(), 1);
+    return result;
+  }
+
+  void require_same(const SimplicialComplex<n>& K) const {
+    if (&K != complex_) throw InputError("the form and the Hodge star belong to different complexes");
+  }
+
+  /// y = -⋆_k^-1 x when `minus`.
+  void apply_inverse(int k, bool minus, std::span<const double> x, std::span<double> y, Index columns) const;
 
   const SimplicialComplex<n>* complex_;
   ByDegree<n> diagonal_;

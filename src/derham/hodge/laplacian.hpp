@@ -1,7 +1,9 @@
 #pragma once
 
-#include "derham/forms/exterior_derivative.hpp"
+#include "derham/core/error.hpp"
+#include "derham/forms/form.hpp"
 #include "derham/hodge/hodge_star.hpp"
+#include "derham/hodge/up_laplacian.hpp"
 
 namespace derham {
 
@@ -16,7 +18,11 @@ namespace derham {
 template <int n>
   requires(n >= 1)
 [[nodiscard]] PrimalForm<n, 0> laplacian(const HodgeStar<n>& star, const PrimalForm<n, 0>& u) {
-  return -star.inverse(d(star(d(u))));
+  if (&u.complex() != &star.complex()) throw InputError("the form and the Hodge star belong to different complexes");
+  PrimalForm<n, 0> result(star.complex());
+  UpLaplacian<n>(star, 0).apply(u.values(), result.values());
+  star.apply_inverse(0, result.values(), result.values());
+  return result;
 }
 
 }  // namespace derham

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "derham/complex/simplicial_complex.hpp"
+#include "derham/core/types.hpp"
+
+#include <algorithm>
+#include <vector>
+
+// Internal to the operators of boundary and hodge.
+namespace derham::detail {
+
+/// One piece of a scatter from the k-simplices to their faces, so that threads can do the pieces at the same time. It
+/// owns the faces [first_face, last_face), and writes to no other; to do so it treats, in the order of their indices, all
+/// k-simplices with a face there. Hence every face gets the same sum of terms in the same order, however many pieces.
+///
+/// The k-simplices [first, last) are at home here: no other piece treats them unless they are in `shared`. These have
+/// faces in several pieces, or none here, or are at home elsewhere.
+struct ScatterPiece {
+  Index first_face = 0, last_face = 0;
+  Index first = 0, last = 0;
+  std::vector<Index> shared;  ///< increasing
+};
+
+/// The pieces, `count` >= 1, of the scatter of degree k, 1 <= k <= n, each with as many faces.
+/// In a mesh whose numbering is local hardly any simplex is shared; in the worst case each is, by up to k+1 pieces.
+/// Cost     one pass over the face table, in parallel; none for one piece
+template <int n>
+[[nodiscard]] std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<n>& K, int k, int count);
+
+/// Calls run(first, last) for the intervals of simplices that have all their faces in the piece and one(i) for those
+/// that are shared, in the order of their indices.
+template <class Run, class One>
+void for_each_in_order(const ScatterPiece& piece, Run&& run, One&& one) {
+  Index next = piece.first;
+  for (const Index i : piece.shared) {
+    const Index stop = std::clamp(i, next, piece.last);
+    run(next, stop);
+    one(i);
+    next = std::clamp(i + 1, stop, piece.last);
+  }
+  run(next, piece.last);
+}
+
+}  // namespace derham::detail
