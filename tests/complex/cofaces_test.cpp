@@ -35,7 +35,8 @@ void expect_cofaces_of(const support::Rows& rows) {
       std::vector<Index> found;
       for (const auto [coface, sign] : cofaces[i]) {
         found.push_back(coface);
-        ASSERT_EQ(sign, relative_orientation(K, k, i, coface)) << "coface " << coface << " of " << k << "-simplex " << i;
+        ASSERT_EQ(sign, relative_orientation(K, k, i, coface))
+            << "coface " << coface << " of " << k << "-simplex " << i;
       }
       ASSERT_EQ(found, R.incident(k, i, k + 1)) << k << "-simplex " << i;
       ASSERT_EQ(found, std::vector<Index>(table[i].begin(), table[i].end()));
@@ -74,7 +75,7 @@ TEST(Cofaces, OfTetrahedraAddLessThanSeventyBytesEach) {
     const Cofaces cofaces(K, k);
     entries += cofaces.offsets().size() + cofaces.packed().size();
   }
-  EXPECT_LE(4.0 * static_cast<double>(entries), 70.0 * K.size(3));
+  EXPECT_LE(4 * entries, 70 * static_cast<std::size_t>(K.size(3)));
 }
 
 TEST(Cofaces, RefuseDegreesAndNumbersOutOfRange) {

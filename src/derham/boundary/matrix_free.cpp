@@ -126,8 +126,8 @@ void detail::apply_boundary(const SimplicialComplex<n>& K, int k, bool minus, st
 }
 
 template <int n>
-void detail::apply_boundary(const SimplicialComplex<n>& K, const Cofaces& cofaces, bool minus, std::span<const double> x,
-                            std::span<double> y, Index columns) {
+void detail::apply_boundary(const SimplicialComplex<n>& K, const Cofaces& cofaces, bool minus,
+                            std::span<const double> x, std::span<double> y, Index columns) {
   const int k = cofaces.degree() + 1;
   require_degree(n, k, 1, n);
   require_shape("x", x.size(), K.size(k), columns);

@@ -19,8 +19,8 @@ namespace derham::detail {
 /// Shape    table (rows, width) row-major with values in [0, targets), offsets (targets+1,), entries (rows*width,)
 /// Cost     two passes over the table; targets * parts counters beside the result
 template <class Place, class Entry>
-void transpose_table(std::span<const Index> table, std::size_t width, std::span<Place> offsets, std::span<Index> entries,
-                     Entry&& entry) {
+void transpose_table(std::span<const Index> table, std::size_t width, std::span<Place> offsets,
+                     std::span<Index> entries, Entry&& entry) {
   constexpr int most_parts = 8;
   const std::size_t targets = offsets.size() - 1;
   const auto rows = static_cast<Offset>(table.size() / width);
