@@ -46,7 +46,7 @@ class UpLaplacian {
 
  private:
   const SimplicialComplex<n>* complex_;
-  int degree_;
+  int degree_ = 0;
   std::span<const double> weights_;
   std::vector<detail::ScatterPiece> pieces_;
 };
