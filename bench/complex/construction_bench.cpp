@@ -3,7 +3,7 @@
 #include "bench/support/meshes.hpp"
 #include "bench/support/program.hpp"
 #include "bench/support/yardsticks.hpp"
-#include "derham/complex/incidence.hpp"
+#include "derham/complex/cofaces.hpp"
 #include "derham/complex/simplicial_complex.hpp"
 
 #include <memory>
@@ -25,14 +25,14 @@ Kernel construction(const BenchMesh& mesh) {
 /// The cofaces of every simplex: every boundary table transposed.
 template <int n>
 Kernel cofaces(const BenchMesh& mesh) {
-  const auto tables = std::make_shared<std::vector<Incidence>>();
+  const auto tables = std::make_shared<std::vector<Cofaces>>();
   return {.run =
               [tables, &K = complex_of<n>(mesh)] {
-                for (int k = 0; k < n; ++k) tables->push_back(incidence(K, k, k + 1));
+                for (int k = 0; k < n; ++k) tables->emplace_back(K, k);
               },
           .items = static_cast<double>(mesh.data.simplices.size()),
           .bytes = 0,
-          .reset = [tables] { std::vector<Incidence>().swap(*tables); },
+          .reset = [tables] { std::vector<Cofaces>().swap(*tables); },
           .memory = true};
 }
 

@@ -3,10 +3,11 @@
 #include "bench/support/meshes.hpp"
 #include "bench/support/program.hpp"
 #include "bench/support/yardsticks.hpp"
-#include "derham/boundary/matrix.hpp"
+#include "derham/boundary/matrix_free.hpp"
 #include "derham/geometry/geometry.hpp"
 #include "derham/hodge/eigen.hpp"
 #include "derham/hodge/hodge_star.hpp"
+#include "derham/hodge/up_laplacian.hpp"
 
 #include <memory>
 #include <optional>
@@ -34,6 +35,17 @@ Kernel derivative(const BenchMesh& mesh) {
   const auto& K = complex_of<3>(mesh);
   const auto x = values(K.size(1)), y = values(K.size(2));
   return {.run = [&K, x, y] { apply_coboundary<3>(K, 1, *x, *y); },
+          .items = static_cast<double>(K.size(3)),
+          .bytes = 0,
+          .reset = {}};
+}
+
+/// d_1ᵀ ⋆ d_1 with a star of ones, as the peers have it.
+Kernel curl_curl(const BenchMesh& mesh) {
+  const auto& K = complex_of<3>(mesh);
+  const auto weights = values(K.size(2)), x = values(K.size(1)), y = values(K.size(1));
+  const auto L = std::make_shared<const UpLaplacian<3>>(K, 1, *weights);
+  return {.run = [L, weights, x, y] { L->apply(*x, *y); },
           .items = static_cast<double>(K.size(3)),
           .bytes = 0,
           .reset = {}};
@@ -76,6 +88,7 @@ const Suite suite([](const Options& options) {
   add("construction: derham", solids(options), construction<3>);
   add("construction: derham", surfaces(options), construction<2>);
   add("d_1 x: derham", solids(options), derivative);
+  add("curl-curl x: derham", solids(options), curl_curl);
   add("Laplacian and mass matrix: derham", solids(options), laplacian<3>);
   add("Laplacian and mass matrix: derham", surfaces(options), laplacian<2>);
   add("complex, d, all stars: derham", surfaces(options), surface_operators);

@@ -13,8 +13,8 @@ Cofaces::Cofaces(const SimplicialComplex<n>& K, int k) : degree_(k) {
   const auto faces = K.face_table(k + 1);
   const auto width = static_cast<std::size_t>(k) + 2;
   detail::require_cofaces_fit(static_cast<Offset>(faces.size()), k);
-  offsets_.resize(static_cast<std::size_t>(K.size(k)) + 1);
-  packed_.resize(faces.size());
+  offsets_ = BulkArray<Index>(static_cast<std::size_t>(K.size(k)) + 1);
+  packed_ = BulkArray<Index>(faces.size());
   detail::transpose_table<Index>(faces, width, offsets_, packed_, [width](Index coface, std::size_t position) {
     return face_sign(static_cast<int>(width - 1 - position)) > 0 ? coface : ~coface;
   });

@@ -2,11 +2,11 @@
 
 #include "derham/complex/simplex.hpp"
 #include "derham/complex/simplicial_complex.hpp"
+#include "derham/core/bulk_array.hpp"
 #include "derham/core/types.hpp"
 
 #include <limits>
 #include <span>
-#include <vector>
 
 namespace derham {
 
@@ -63,13 +63,13 @@ class Cofaces {
   }
 
   /// The arrays behind it: row i is packed()[offsets()[i]] to packed()[offsets()[i+1]-1], each c or ~c.
-  [[nodiscard]] std::span<const Index> offsets() const noexcept { return offsets_; }
-  [[nodiscard]] std::span<const Index> packed() const noexcept { return packed_; }
+  [[nodiscard]] std::span<const Index> offsets() const noexcept { return {offsets_.data(), offsets_.size()}; }
+  [[nodiscard]] std::span<const Index> packed() const noexcept { return {packed_.data(), packed_.size()}; }
 
  private:
   int degree_;
-  std::vector<Index> offsets_;  // (|K_k|+1,)
-  std::vector<Index> packed_;   // ((k+2)|K_{k+1}|,)
+  BulkArray<Index> offsets_;  // (|K_k|+1,)
+  BulkArray<Index> packed_;   // ((k+2)|K_{k+1}|,)
 };
 
 namespace detail {

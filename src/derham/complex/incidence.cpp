@@ -2,6 +2,7 @@
 
 #include "derham/complex/transposed_table.hpp"
 #include "derham/core/error.hpp"
+#include "derham/core/large_pages.hpp"
 #include "derham/core/text.hpp"
 
 #include <algorithm>
@@ -13,6 +14,7 @@ namespace {
 Incidence transposed(std::span<const Index> table, Offset width, Index columns) {
   Incidence result;
   result.offsets.resize(static_cast<std::size_t>(columns) + 1);
+  reserve_large(result.indices, table.size());
   result.indices.resize(table.size());
   detail::transpose_table<Offset>(table, static_cast<std::size_t>(width), result.offsets, result.indices,
                                   [](Index row, std::size_t) { return row; });

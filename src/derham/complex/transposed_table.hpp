@@ -1,5 +1,6 @@
 #pragma once
 
+#include "derham/core/bulk_array.hpp"
 #include "derham/core/parallel.hpp"
 #include "derham/core/types.hpp"
 
@@ -26,10 +27,11 @@ void transpose_table(std::span<const Index> table, std::size_t width, std::span<
   const auto rows = static_cast<Offset>(table.size() / width);
   const Offset parts = rows < (1 << 14) ? 1 : std::min(thread_count(), most_parts);
   const auto first_row = [&](Offset part) { return rows * part / parts; };
-  std::vector<std::vector<Place>> places(static_cast<std::size_t>(parts));
+  std::vector<BulkArray<Place>> places(static_cast<std::size_t>(parts));
 
   parallel_blocks(parts, 1, [&](Offset part, Offset) {
-    std::vector<Place> counts(targets, 0);
+    BulkArray<Place> counts(targets);
+    std::ranges::fill(counts, Place{0});
     const Offset last = first_row(part + 1) * static_cast<Offset>(width);
     for (Offset p = first_row(part) * static_cast<Offset>(width); p < last; ++p)
       ++counts[static_cast<std::size_t>(table[static_cast<std::size_t>(p)])];
