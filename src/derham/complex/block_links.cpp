@@ -34,7 +34,8 @@ std::array<Index, capacity> places(const Index* values, Index count) {
 
 template <int n>
 BlockLinks<n>::BlockLinks(const TopBlocks<n>& tops, Index vertex_count)
-    : all_(tops), vertex_count_(vertex_count), number_(at(vertex_count), 0) {}
+    : all_(tops), vertex_count_(vertex_count), number_(at(vertex_count), 0),
+      position_(at(most_neighbours * most_neighbours)) {}
 
 // A counting sort.
 template <int n>
@@ -87,7 +88,7 @@ void BlockLinks<n>::find(Index block) {
   for (Index v = 0; v < vertices; ++v) {
     edge_begin_[at(v)] = edges_;
     triangle_begin_[at(v)] = triangles_found_;
-    std::array<Star, n> stars;
+    std::array<Star, n> stars{};
     for (std::size_t p = 0; p < n; ++p)
       stars[p] = {groups_[p].begin[at(v)], groups_[p].begin[at(v) + 1] - groups_[p].begin[at(v)]};
     if (!number_neighbours(stars))
@@ -152,7 +153,7 @@ template <int side>
 void BlockLinks<n>::small_link(Index vertex, const std::array<Star, n>& stars) {
   Index* const neighbour = neighbours_.data() + edges_;
   const auto rank = places<side>(neighbour, degree_);
-  std::array<Index, side> met;
+  std::array<Index, side> met{};
   std::copy_n(neighbour, side, met.begin());
   for (std::size_t i = 0; i < at(degree_); ++i) neighbour[rank[i]] = met[i];
 
@@ -197,7 +198,7 @@ void BlockLinks<n>::small_link(Index vertex, const std::array<Star, n>& stars) {
       const Index c = next(), d = next();
       last_face[q] = add(c, d);
     }
-    std::array<Index, std::size_t{side} * side> position;
+    Index* const position = position_.data();
     for (std::size_t w = 0; w < words; ++w) {
       for (std::uint64_t row = matrix[w]; row != 0; row &= row - 1) {
         const auto pair = w * 64 + at(std::countr_zero(row));
@@ -211,7 +212,7 @@ void BlockLinks<n>::small_link(Index vertex, const std::array<Star, n>& stars) {
 
   if (first.count > most_keys) return sort_tops(first);
   const Index count = first.count;
-  std::array<Index, most_keys> ranks;
+  std::array<Index, most_keys> ranks{};
   const auto sort_keys = [&](const auto& place) {
     for (std::size_t q = 0; q < at(count); ++q) {
       order_[at(first.begin + place[q])] = groups_[0].top[at(first.begin) + q];

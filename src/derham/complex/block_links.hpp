@@ -86,6 +86,7 @@ class BlockLinks {
   std::vector<std::uint8_t> number_;       // (|V|,) 1 + the number of a neighbour, 0 elsewhere
   std::vector<std::uint8_t> met_;          // the numbers of all vertices in its stars
   std::vector<Index> next_;                // where the next of each vertex goes
+  std::vector<Index> position_;            // the numbers of its triangles, by pair of ranks
   std::unique_ptr<UpperLink<n>> large_;    // only when needed
 };
 
