@@ -14,7 +14,7 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// y = A x. On one thread, whatever is asked: this product of Eigen uses OpenMP only.
-Kernel product(std::shared_ptr<const Matrix> A, Index items) {
+Kernel product(const std::shared_ptr<const Matrix>& A, Index items) {
   const auto x = std::make_shared<Eigen::VectorXd>(Eigen::VectorXd::Ones(A->cols()));
   const auto y = std::make_shared<Eigen::VectorXd>(Eigen::VectorXd::Zero(A->rows()));
   return {.run = [=] { y->noalias() = *A * *x; }, .items = static_cast<double>(items), .bytes = 0, .reset = {}};
