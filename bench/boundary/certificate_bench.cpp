@@ -1,4 +1,5 @@
 // The manifold certificate and the orientation of tetrahedra and triangles, beside the construction they are compared with.
+#include "bench/support/construction.hpp"
 #include "bench/support/kernel.hpp"
 #include "bench/support/meshes.hpp"
 #include "bench/support/program.hpp"
@@ -6,20 +7,9 @@
 #include "derham/complex/orientation.hpp"
 
 #include <memory>
-#include <optional>
 
 namespace derham::bench {
 namespace {
-
-template <int n>
-Kernel construction(const BenchMesh& mesh) {
-  const auto K = std::make_shared<std::optional<SimplicialComplex<n>>>();
-  return {.run = [K, &mesh] { K->emplace(mesh.data.simplices, mesh.data.vertex_count); },
-          .items = static_cast<double>(mesh.data.simplices.size()),
-          .bytes = 0,
-          .reset = [K] { K->reset(); },
-          .memory = true};
-}
 
 /// check_manifold of a manifold.
 template <int n>

@@ -1,4 +1,5 @@
 // Construction of the whole oriented complex: lists of every degree, boundary tables, signs.
+#include "bench/support/construction.hpp"
 #include "bench/support/kernel.hpp"
 #include "bench/support/meshes.hpp"
 #include "bench/support/program.hpp"
@@ -7,20 +8,9 @@
 #include "derham/complex/simplicial_complex.hpp"
 
 #include <memory>
-#include <optional>
 
 namespace derham::bench {
 namespace {
-
-template <int n>
-Kernel construction(const BenchMesh& mesh) {
-  const auto K = std::make_shared<std::optional<SimplicialComplex<n>>>();
-  return {.run = [K, &mesh] { K->emplace(mesh.data.simplices, mesh.data.vertex_count); },
-          .items = static_cast<double>(mesh.data.simplices.size()),
-          .bytes = 0,
-          .reset = [K] { K->reset(); },
-          .memory = true};
-}
 
 /// The cofaces of every simplex: every boundary table transposed.
 template <int n>

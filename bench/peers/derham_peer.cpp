@@ -1,4 +1,5 @@
 // derham in the tasks that the peers do. Names are "task: library".
+#include "bench/support/construction.hpp"
 #include "bench/support/kernel.hpp"
 #include "bench/support/meshes.hpp"
 #include "bench/support/program.hpp"
@@ -20,16 +21,6 @@ namespace {
 using Values = std::vector<double>;
 
 std::shared_ptr<Values> values(Index size) { return std::make_shared<Values>(static_cast<std::size_t>(size), 1.0); }
-
-template <int n>
-Kernel construction(const BenchMesh& mesh) {
-  const auto K = std::make_shared<std::optional<SimplicialComplex<n>>>();
-  return {.run = [K, &mesh] { K->emplace(mesh.data.simplices, mesh.data.vertex_count); },
-          .items = static_cast<double>(mesh.data.simplices.size()),
-          .bytes = 0,
-          .reset = [K] { K->reset(); },
-          .memory = true};
-}
 
 Kernel derivative(const BenchMesh& mesh) {
   const auto& K = complex_of<3>(mesh);
