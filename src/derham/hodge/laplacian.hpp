@@ -1,7 +1,7 @@
 #pragma once
 
 #include "derham/core/error.hpp"
-#include "derham/forms/form.hpp"
+#include "derham/forms/exterior_derivative.hpp"
 #include "derham/hodge/hodge_star.hpp"
 #include "derham/hodge/up_laplacian.hpp"
 
