@@ -141,6 +141,7 @@ Run add_check(CLI::App& parent, Common& common) {
     DefectList defects(loaded, *all);
     const bool bad_rows = take_out_bad_rows(loaded, defects, console);
     settle_unused(loaded, input->drop_unused || bad_rows, console);
+    reorder_if_asked(loaded, *input, console);
     const bool sound = with_dimension(loaded, [&](auto n) { return check<n()>(loaded, defects, console); });
     const bool ok = sound && defects.counts().empty();
     if (common.json)

@@ -11,7 +11,7 @@ namespace derham::cli {
 
 /// Adds the positional MESH, --format and what `add_reading_options` adds.
 void add_input_options(CLI::App& command, Input& input);
-/// Adds --triangulate, --corner-nodes, --planar and --drop-unused.
+/// Adds --triangulate, --corner-nodes, --planar, --drop-unused and --reorder.
 void add_reading_options(CLI::App& command, Input& input);
 
 /// The extensions of files to read and to write, for help texts.

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,9 @@ Exit convert(const Conversion& c, const Common& common) {
   if (dropped > 0) console.message(text(c.from.path, ": dropped ", dropped, " unused vertices"));
   for (std::size_t i = notes; i < mesh.notes.size(); ++i) console.message(c.from.path + ": " + mesh.notes[i]);
 
+  std::optional<Reordering> reordering;
+  if (c.from.reorder && !mesh.simplices.empty()) reordering = reorder(mesh, c.from.path, console);
+
   const auto lost = not_carried(mesh, format, options);
   const auto files = written_files(c.path, mesh, format);
   console.stage("writing " + c.path);
@@ -72,6 +76,10 @@ Exit convert(const Conversion& c, const Common& common) {
   }
   console.clear_stage();
   for (const auto& what : lost) console.message(c.path + ": " + what);
+  Json reordered;  // null
+  if (reordering)
+    reordered = {
+        {"method", reordering->method}, {"gap_before", reordering->gap_before}, {"gap_after", reordering->gap_after}};
   if (common.json && c.path != "-")
     print(Json{{"file", c.path},
                {"files", files},
@@ -80,6 +88,7 @@ Exit convert(const Conversion& c, const Common& common) {
                {"top_simplices", mesh.simplices.size()},
                {"dimension", mesh.simplices.dimension()},
                {"dropped_vertices", dropped},
+               {"reordered", reordered},
                {"notes", mesh.notes},
                {"not_carried", lost}});
   else

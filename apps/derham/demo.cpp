@@ -95,7 +95,9 @@ Run add_demo(CLI::App& parent, Common& common) {
   const auto out = std::make_shared<std::string>("derham_demo.vtu");
   command.add_option("MESH", *paths, "further mesh files");
   command.add_option("-o,--out", *out, "file to draw to");
-  return [&common, paths, out] {
+  const auto reorder = std::make_shared<bool>(false);
+  command.add_flag("--reorder", *reorder, "renumber vertices and simplices of the files so that neighbours are near");
+  return [&common, paths, out, reorder] {
     Console console(common);
     Json meshes_json = Json::array();
     bool good = true;
@@ -118,7 +120,12 @@ Run add_demo(CLI::App& parent, Common& common) {
       generated.mesh = meshes::solid_torus(6, 94);
       return generated;
     });
-    for (const std::string& path : *paths) show(path, [&] { return load_mesh({path, "", false, {}}, console); });
+    for (const std::string& path : *paths) {
+      Input input;
+      input.path = path;
+      input.reorder = *reorder;
+      show(path, [&] { return load_mesh(input, console); });
+    }
     write_picture(*out, torus);
     if (common.json)
       print(Json{{"ok", good}, {"meshes", meshes_json}, {"picture", *out}});

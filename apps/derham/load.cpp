@@ -2,6 +2,7 @@
 
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
+#include "derham/geometry/renumber_mesh.hpp"
 #include "derham/io/read_mesh.hpp"
 #include "derham/io/unused_vertices.hpp"
 
@@ -120,9 +121,30 @@ void settle_unused(LoadedMesh& loaded, bool drop, Console& console) {
     console.message(loaded.path + ": " + loaded.mesh.notes[i]);
 }
 
+Reordering reorder(MeshData& mesh, const std::string& path, Console& console) {
+  console.stage("reordering");
+  const bool has_positions = mesh.has_points() || mesh.has_corners();
+  Reordering result{has_positions ? "Hilbert" : "reverse Cuthill-McKee", vertex_gaps(mesh.simplices).mean, 0};
+  renumber(mesh, has_positions ? hilbert_order(mesh) : reverse_cuthill_mckee(mesh.simplices, mesh.vertex_count));
+  result.gap_after = vertex_gaps(mesh.simplices).mean;
+  console.clear_stage();
+  console.message(text(path, ": reordered (", result.method, "): vertices of a simplex differ by ", result.gap_after,
+                       " on average, before by ", result.gap_before));
+  return result;
+}
+
+void reorder_if_asked(LoadedMesh& loaded, const Input& input, Console& console) {
+  if (!input.reorder || loaded.mesh.simplices.empty()) return;
+  loaded.mesh.vertex_tags = loaded.file_vertex;
+  reorder(loaded.mesh, loaded.path, console);
+  loaded.file_vertex = std::move(loaded.mesh.vertex_tags);
+  loaded.mesh.vertex_tags.clear();
+}
+
 LoadedMesh load_mesh(const Input& input, Console& console) {
   LoadedMesh loaded = read_only(input, console);
   settle_unused(loaded, input.drop_unused, console);
+  reorder_if_asked(loaded, input, console);
   return loaded;
 }
 

@@ -21,6 +21,7 @@ struct Input {
   std::string path;
   std::string format;  // empty: detected
   bool drop_unused = false;
+  bool reorder = false;
   ReadOptions options;
 };
 
@@ -30,6 +31,15 @@ struct Input {
 
 /// The mesh as the file has it. What the reader notes goes to the console.
 [[nodiscard]] MeshData read_input(const Input& input, Console& console);
+
+/// What `reorder` did: the mean difference of the highest and the lowest vertex of a row, before and after.
+struct Reordering {
+  std::string method;
+  double gap_before = 0, gap_after = 0;
+};
+
+/// Renumbers the mesh along a Hilbert curve, or by reverse Cuthill-McKee if it has no positions, and says so on the console.
+Reordering reorder(MeshData& mesh, const std::string& path, Console& console);
 
 /// A mesh and the way back from its vertices to the file.
 struct LoadedMesh {
@@ -51,12 +61,14 @@ struct LoadedMesh {
   void remove_rows(std::span<const Offset> rows);
 };
 
-/// Reads the mesh. Unused vertices are refused with Exit::unreadable unless dropped (and counted on the console).
+/// Reads the mesh. Unused vertices are refused with Exit::unreadable unless dropped (and counted on the console). Reordered
+/// if that is asked for.
 [[nodiscard]] LoadedMesh load_mesh(const Input& input, Console& console);
 
-/// The two steps of load_mesh.
+/// The three steps of load_mesh.
 [[nodiscard]] LoadedMesh read_only(const Input& input, Console& console);
 void settle_unused(LoadedMesh& loaded, bool drop, Console& console);
+void reorder_if_asked(LoadedMesh& loaded, const Input& input, Console& console);
 
 /// The complex of a loaded mesh. Bad rows are refused with Exit::unreadable.
 template <int n>

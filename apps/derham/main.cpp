@@ -28,6 +28,7 @@ void add_reading_options(CLI::App& command, Input& input) {
                    "keep the corners of elements of higher order, else they are refused");
   command.add_flag("--planar", input.options.planar, "read a mesh whose third coordinates are 0 as one in the plane");
   command.add_flag("--drop-unused", input.drop_unused, "leave out vertices that are in no simplex");
+  command.add_flag("--reorder", input.reorder, "renumber vertices and simplices so that neighbours are near: faster");
 }
 
 namespace {

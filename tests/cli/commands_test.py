@@ -226,6 +226,22 @@ class Refusals(Case):
         self.json("operators", mesh, "--drop-unused", "--out", self.directory / "out")
         self.assertEqual((self.directory / "out" / "simplices0.txt").read_text(), "0\n2\n3\n")
 
+    def test_reorder(self):
+        """Reordered meshes give the same answers, in the file's numbers."""
+        box = self.generate("box.msh", "box", "--cells", 3)
+        self.assertEqual(self.json("info", box, "--reorder")["simplices"], self.json("info", box)["simplices"])
+        self.json("check", box, "--reorder")
+        for options, out in (((), "a"), (("--reorder",), "b")):
+            self.json("operators", box, *options, "--out", self.directory / out, code=0)
+        for k in range(4):
+            plain, other = ((self.directory / out / f"simplices{k}.txt").read_text().splitlines() for out in "ab")
+            self.assertNotEqual(plain, other)
+            simplices = [sorted(sorted(int(v) for v in line.split()[k == 3:]) for line in lines) for lines in (plain, other)]
+            self.assertEqual(*simplices)
+        bad = self.file("bad.facets", "0 1 2\n1 2 3\n1 2 4\n7 5 6\n")
+        defects = [self.json("check", bad, *options, code=1)["defects"] for options in ((), ("--reorder",))]
+        self.assertEqual(*(sorted((d["kind"], d["simplex"]) for d in found) for found in defects))
+
     def test_unwritable(self):
         box = self.generate("box.msh", "box", "--cells", 1)
         self.refused(4, "operators", box, "--out", box)

@@ -77,6 +77,25 @@ class Convert(Case):
         self.assertEqual(self.convert(unused, "b.off", "--drop-unused")["dropped_vertices"], 1)
         self.assertEqual((self.directory / "b.off").read_text(), SQUARE)
 
+    def test_reorder(self):
+        """The same mesh with other numbers; npz keeps what they were, and the way back gives the first mesh."""
+        source = self.generate("a.npz", "box", "--cells", 4)
+        for extension in (".npz", ".msh", ".facets"):
+            summary = self.convert(source, "b" + extension, "--reorder")
+            self.assertEqual(summary["reordered"]["method"], "Hilbert")
+            self.assertEqual((summary["vertices"], summary["top_simplices"]), (125, 384))
+        self.assertIn("vertex_tags", " ".join(self.convert(source, "b.msh", "--reorder")["not_carried"]))
+        self.assertIsNone(self.convert(source, "c.npz")["reordered"])
+        self.convert(source, "c.facets")
+        summary = self.convert(self.directory / "c.facets", "d.facets", "--reorder")
+        self.assertEqual(summary["reordered"]["method"], "reverse Cuthill-McKee")
+        plain, other = self.json("info", source), self.json("info", self.directory / "b.npz")
+        for key in ("simplices", "boundary_simplices", "euler_characteristic", "manifold", "delaunay", "inverted"):
+            self.assertEqual(plain[key], other[key], key)
+        self.assertAlmostEqual(plain["volume"], other["volume"])
+        empty = self.file("empty.off", "OFF\n0 0 0\n")
+        self.assertIsNone(self.convert(empty, "e.off", "--reorder")["reordered"])
+
     def test_refusals(self):
         source = self.file("a.off", SQUARE)
         target = self.directory / "b.off"
