@@ -10,7 +10,7 @@ namespace derham {
 /// Other numbers for the vertices and another order of the rows of a list of simplices, with the way back. In a good one
 /// what is near has near numbers, and tables are read from the cache: see ARCHITECTURE.md. Two ways to find one:
 ///   `reverse_cuthill_mckee`  needs no positions: any complex of any dimension
-///   `hilbert_order`          (geometry) needs positions, costs less than half and is at least as good
+///   `hilbert_order`          (geometry) needs positions, costs about half and is nearly as good
 struct Renumbering {
   std::vector<Index> new_vertex;  ///< (vertices,) the new number of each vertex
   std::vector<Index> old_row;     ///< (rows,) the row that moves to each place
