@@ -4,7 +4,6 @@
 #include "derham/core/text.hpp"
 #include "derham/geometry/geometry.hpp"
 #include "derham/geometry/quality.hpp"
-#include "derham/geometry/volumes.hpp"
 
 #include <algorithm>
 #include <map>
@@ -77,8 +76,7 @@ void check_metric(const LoadedMesh& loaded, SimplicialComplex<n>& K, DefectList&
   if constexpr (n >= 1 && n <= 4) {
     if (!K.is_pure() || !(mesh.has_points() || mesh.has_corners())) return;
     const auto geometry = Geometry<n>::from_mesh(K, mesh);
-    orient_by_volume(K, geometry);
-    const QualityReport report = quality(K, geometry);
+    const QualityReport report = oriented_quality(K, geometry);
     for (const Index t : report.inverted)
       defects.add("inverted", K.simplex(n, t),
                   "its volume has the sign opposite to its neighbours': it is folded over them" + loaded.row_text(t) +

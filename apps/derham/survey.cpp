@@ -6,7 +6,6 @@
 #include "derham/dual/dual_report.hpp"
 #include "derham/geometry/geometry.hpp"
 #include "derham/geometry/quality.hpp"
-#include "derham/geometry/volumes.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -61,8 +60,7 @@ void fill_metric(Survey& s, const LoadedMesh& loaded, SimplicialComplex<n>& K, C
   std::optional<Geometry<n>> geometry;
   timed(s, console, "volumes", [&] {
     geometry.emplace(Geometry<n>::from_mesh(K, mesh));
-    orient_by_volume(K, *geometry);
-    const QualityReport q = quality(K, *geometry);
+    const QualityReport q = oriented_quality(K, *geometry);
     s.volume = q.total_volume;
     s.degenerate = static_cast<Offset>(q.degenerate.size());
     if (geometry->has_signed_volume() && K.is_orientable()) s.inverted = static_cast<Offset>(q.inverted.size());

@@ -13,8 +13,8 @@ namespace derham {
 /// Signed circumcentric dual volumes and primal volumes of every degree, whatever the mesh: nothing is refused here.
 ///
 /// The dual of a top simplex has volume 1, and D(σ^k) = 1/(n-k) Σ h±(σ^k, σ^{k+1}) D(σ^{k+1}) over the cofaces, where
-/// h± is the distance of the circumcentre of σ^{k+1} from σ^k, positive on the side of the opposite vertex. The
-/// recursion is linear, so each top simplex adds its own share.
+/// h± is the distance of the circumcentre of σ^{k+1} from σ^k, positive on the side of the opposite vertex. Every
+/// simplex is measured once, from the top degree down.
 ///
 /// What rounding could explain is exactly 0: a height h of at most 1e-10 of the circumradius of σ^{k+1}, and a sum that
 /// could vanish if every h were wrong by 1e-10 of itself, in both cases plus 16 ulp of the coordinates. So a right-angled
@@ -28,7 +28,9 @@ struct CircumcentricDual {
   bool well_centered = true;      ///< every simplex of every degree contains its circumcentre in its interior
 };
 
-/// Cost     one pass over the top simplices, the sums in their order; no allocation beyond the result
+/// Cost     one pass over the simplices of every degree, on all threads but for the sums, which are taken in the order of
+///          the simplices: the same bits for any number of threads; beside the result, 16 bytes for every simplex of two
+///          degrees at a time
 /// Source   Elcott & Schröder, "Building your own DEC at home", §6.2.1, with 1/(n-k) and the signs of Hirani,
 ///          Kalyanaraman, VanderZee, "Delaunay Hodge star", 2013
 template <int n>

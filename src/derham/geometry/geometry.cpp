@@ -81,6 +81,10 @@ void require_consistent(const SimplicialComplex<n>& K, const Geometry<n>& geomet
 template <int n>
 Geometry<n>::Geometry(const SimplicialComplex<n>& K, MetricSource source, int width, std::vector<double> coordinates)
     : source_(source), width_(width), vertices_(K.size(0)), tops_(K.size(n)), coordinates_(std::move(coordinates)) {
+  double largest = 0;
+  for (const double x : coordinates_) largest = std::max(largest, std::abs(x));
+  if (largest > 0 && !(largest >= 0x1p-100 && largest <= 0x1p100))
+    unit_ = std::ldexp(1.0, std::max(std::ilogb(largest), -1000));
   if (source_ != MetricSource::points) find_carriers(K);
 }
 
@@ -209,7 +213,7 @@ std::vector<double> Geometry<n>::simplex_corners(const SimplicialComplex<n>& K, 
 }
 
 template <int n>
-double Geometry<n>::roundoff(const std::array<const double*, n + 1>& corners) const noexcept {
+double Geometry<n>::roundoff(std::span<const double* const> corners) const noexcept {
   if (source_ == MetricSource::lengths) return 0;
   double largest = 0;
   for (const double* p : corners)

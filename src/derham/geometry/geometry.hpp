@@ -2,6 +2,7 @@
 
 #include "derham/complex/simplicial_complex.hpp"
 #include "derham/core/types.hpp"
+#include "derham/geometry/local_faces.hpp"
 #include "derham/geometry/mesh_data.hpp"
 
 #include <algorithm>
@@ -15,11 +16,14 @@
 
 namespace derham {
 
+/// 16 ulp.
+inline constexpr double relative_coordinate_roundoff = 16 * std::numeric_limits<double>::epsilon();
+
 /// 16 ulp of the largest of some coordinates in magnitude: what rounding a rigid motion may do to them.
 [[nodiscard]] inline double coordinate_roundoff(std::span<const double> coordinates) noexcept {
   double largest = 0;
   for (const double x : coordinates) largest = std::max(largest, std::abs(x));
-  return 16 * std::numeric_limits<double>::epsilon() * largest;
+  return relative_coordinate_roundoff * largest;
 }
 
 /// What a metric is made of.
@@ -77,18 +81,38 @@ class Geometry {
     return source_ == MetricSource::points ? std::span<const double>(coordinates_) : std::span<const double>();
   }
 
-  /// Coordinates of the corners of top simplex t in the order of its representative; each points to
-  /// coordinate_dimension() numbers.
-  [[nodiscard]] std::array<const double*, n + 1> corners(const SimplicialComplex<n>& K, Index t) const noexcept {
-    std::array<const double*, n + 1> result{};
+  /// All coordinates: of the vertices, or of the corners of the top simplices.
+  [[nodiscard]] std::span<const double> coordinates() const noexcept { return coordinates_; }
+
+  /// A power of two near the largest coordinate in magnitude where that is beyond 2^±100, else 1.
+  [[nodiscard]] double unit() const noexcept { return unit_; }
+
+  /// Where in coordinates() the corners of k-simplex i begin: in the chart of the first top simplex it belongs to unless
+  /// made from points.
+  template <int k>
+  [[nodiscard]] std::array<std::size_t, k + 1> corner_places(const SimplicialComplex<n>& K, Index i) const noexcept {
+    std::array<std::size_t, k + 1> result{};
     const auto d = static_cast<std::size_t>(width_);
     if (source_ == MetricSource::points) {
-      const auto vertices = K.template simplex<n>(t);
-      for (std::size_t i = 0; i <= n; ++i) result[i] = coordinates_.data() + static_cast<std::size_t>(vertices[i]) * d;
-    } else {
-      for (std::size_t i = 0; i <= n; ++i)
-        result[i] = coordinates_.data() + (static_cast<std::size_t>(t) * (n + 1) + i) * d;
+      const auto vertices = K.template simplex<k>(i);
+      for (std::size_t v = 0; v <= k; ++v) result[v] = static_cast<std::size_t>(vertices[v]) * d;
+      return result;
     }
+    Carrier carrier{i, full_mask<k>};
+    if constexpr (k < n) carrier = carrier_[k][static_cast<std::size_t>(i)];
+    std::size_t place = static_cast<std::size_t>(carrier.top) * (n + 1) * d;
+    for (std::size_t v = 0; v <= k; carrier.mask >>= 1U, place += d)
+      if (carrier.mask & 1U) result[v++] = place;
+    return result;
+  }
+
+  /// Coordinates of the corners of k-simplex i in the order of its representative, in the same chart; each points to
+  /// coordinate_dimension() numbers.
+  template <int k = n>
+  [[nodiscard]] std::array<const double*, k + 1> corners(const SimplicialComplex<n>& K, Index i) const noexcept {
+    std::array<const double*, k + 1> result{};
+    const auto places = corner_places<k>(K, i);
+    for (std::size_t v = 0; v <= k; ++v) result[v] = coordinates_.data() + places[v];
     return result;
   }
 
@@ -101,9 +125,14 @@ class Geometry {
   /// 1e-12 for coordinates; 1e-7 for lengths, where an altitude is the root of a difference of squares.
   [[nodiscard]] double relative_flatness() const noexcept { return source_ == MetricSource::lengths ? 1e-7 : 1e-12; }
 
-  /// coordinate_roundoff of the corners of a top simplex.
+  /// coordinate_roundoff of the corners of a simplex.
   /// Units    length; 0 when there are only lengths
-  [[nodiscard]] double roundoff(const std::array<const double*, n + 1>& corners) const noexcept;
+  [[nodiscard]] double roundoff(std::span<const double* const> corners) const noexcept;
+
+  /// roundoff over the largest coordinate.
+  [[nodiscard]] double relative_roundoff() const noexcept {
+    return source_ == MetricSource::lengths ? 0 : relative_coordinate_roundoff;
+  }
 
   /// Throws InputError unless this geometry was made for a complex with the lists of K.
   void require_fits(const SimplicialComplex<n>& K) const;
@@ -120,6 +149,7 @@ class Geometry {
   MetricSource source_;
   int width_;
   Index vertices_, tops_;
+  double unit_ = 1;
   std::vector<double> coordinates_;                  // (|V|, m), or (|K_n|, n+1, d)
   std::array<std::vector<Carrier>, n + 1> carrier_;  // [k < n]: the first top simplex of each; only without points
 };

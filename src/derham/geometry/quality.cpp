@@ -1,39 +1,59 @@
 #include "derham/geometry/quality.hpp"
 
-#include "derham/geometry/predicates.hpp"
-#include "derham/geometry/simplex_metric.hpp"
+#include "derham/geometry/top_volumes.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace derham {
 
+namespace {
+
 template <int n>
-QualityReport quality(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
-  geometry.require_fits(K);
+QualityReport judged(const SimplicialComplex<n>& K, const Geometry<n>& geometry, TopVolumes&& tops) {
   QualityReport report;
-  const int d = geometry.coordinate_dimension();
+  report.degenerate = std::move(tops.degenerate);
   const bool signs = geometry.has_signed_volume() && K.is_orientable();
-  std::vector<double> scratch(static_cast<std::size_t>(n * d));
-  for (Index t = 0; t < K.size(n); ++t) {
-    const auto corners = geometry.corners(K, t);
-    const SimplexMetric<n> metric(corners, d, geometry.relative_flatness(), geometry.roundoff(corners), scratch.data());
-    const double volume = metric.volume[full_mask<n>];
+  auto degenerate = report.degenerate.begin();
+  Index t = 0;
+  for (const double signed_volume : tops.volume) {
+    const double volume = std::abs(signed_volume);
     report.smallest_volume = t == 0 ? volume : std::min(report.smallest_volume, volume);
     report.largest_volume = std::max(report.largest_volume, volume);
     report.total_volume += volume;
-    if (metric.degenerate) {
-      report.degenerate.push_back(t);
-    } else if (signs && orientation_sign<n>(corners) * K.sign(n, t) < 0) {
+    if (degenerate != report.degenerate.end() && *degenerate == t) {
+      ++degenerate;
+    } else if (signs && std::signbit(signed_volume) != (K.sign(n, t) < 0)) {
       report.inverted.push_back(t);
     }
+    ++t;
   }
   return report;
 }
 
-template QualityReport quality<0>(const SimplicialComplex<0>&, const Geometry<0>&);
-template QualityReport quality<1>(const SimplicialComplex<1>&, const Geometry<1>&);
-template QualityReport quality<2>(const SimplicialComplex<2>&, const Geometry<2>&);
-template QualityReport quality<3>(const SimplicialComplex<3>&, const Geometry<3>&);
-template QualityReport quality<4>(const SimplicialComplex<4>&, const Geometry<4>&);
+}  // namespace
+
+template <int n>
+QualityReport quality(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
+  return judged(K, geometry, top_volumes(K, geometry));
+}
+
+template <int n>
+QualityReport oriented_quality(SimplicialComplex<n>& K, const Geometry<n>& geometry) {
+  auto tops = top_volumes(K, geometry);
+  if (geometry.has_signed_volume()) K.orient_by(tops.volume);
+  return judged(K, geometry, std::move(tops));
+}
+
+#define DERHAM_INSTANTIATE(n)                                                         \
+  template QualityReport quality<n>(const SimplicialComplex<n>&, const Geometry<n>&); \
+  template QualityReport oriented_quality<n>(SimplicialComplex<n>&, const Geometry<n>&);
+DERHAM_INSTANTIATE(0)
+DERHAM_INSTANTIATE(1)
+DERHAM_INSTANTIATE(2)
+DERHAM_INSTANTIATE(3)
+DERHAM_INSTANTIATE(4)
+#undef DERHAM_INSTANTIATE
 
 }  // namespace derham

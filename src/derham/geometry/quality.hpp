@@ -23,4 +23,8 @@ struct QualityReport {
 template <int n>
 [[nodiscard]] QualityReport quality(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
 
+/// orient_by_volume(K, geometry), then quality(K, geometry), for the price of one.
+template <int n>
+[[nodiscard]] QualityReport oriented_quality(SimplicialComplex<n>& K, const Geometry<n>& geometry);
+
 }  // namespace derham

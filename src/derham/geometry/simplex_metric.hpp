@@ -114,8 +114,9 @@ template <int k>
   return result;
 }
 
-/// Metric of one top simplex and all its faces, from the coordinates of its corners: no heap, no runtime dimension.
-template <int n>
+/// Metric of one top simplex and all its faces, from the coordinates of its corners: no heap, no runtime dimension. With
+/// faces = false only of the simplex itself, in the entries at full_mask<n>.
+template <int n, bool faces = true>
 class SimplexMetric {
  public:
   FaceArray<n, double> volume;  ///< 1 for vertices; 0 or infinite where doubles end
@@ -142,14 +143,17 @@ class SimplexMetric {
         triangularize<n>(scratch, d, frame_);
       }
     }
-    for_each_mask<n>([&]<unsigned mask>() { measure<mask>(); });
+    for_each_mask<n>([&]<unsigned mask>() {
+      if constexpr (wanted<mask> || mask_degree(mask) == 1) measure<mask>();
+    });
     if constexpr (n > 0) {
       const double threshold = std::max(relative_flatness * longest_, roundoff / unit);
       bool flat = false;
       for (int i = 0; i < n; ++i) flat = flat || !(frame_[i][i] > threshold);
       degenerate = flat || circumcentres(threshold);
-      for (unsigned mask = 1; mask <= full_mask<n>; ++mask)
-        volume[mask] = in_units(volume[mask], unit, mask_degree(mask));
+      for_each_mask<n>([&]<unsigned mask>() {
+        if constexpr (wanted<mask>) volume[mask] = in_units(volume[mask], unit, mask_degree(mask));
+      });
     }
   }
 
@@ -161,6 +165,9 @@ class SimplexMetric {
   }
 
  private:
+  template <unsigned mask>
+  static constexpr bool wanted = faces || mask == full_mask<n>;
+
   template <int m>
   void load(const std::array<const double*, n + 1>& corners) noexcept {
     std::array<double, static_cast<std::size_t>(n * m)> edges{};
@@ -248,7 +255,9 @@ class SimplexMetric {
     for_each_mask<n>([&]<unsigned mask>() {
       constexpr int k = mask_degree(mask);
       constexpr auto v = mask_vertices<mask>();
-      if constexpr (k == 0) {
+      if constexpr (!wanted<mask>) {
+        return;
+      } else if constexpr (k == 0) {
         radius[mask] = 0;
       } else if constexpr (k == 1) {
         radius[mask] = height[mask][v[0]] = height[mask][v[1]] = volume[mask] / 2;

@@ -1,41 +1,54 @@
 #include "derham/geometry/volumes.hpp"
 
 #include "derham/core/error.hpp"
+#include "derham/core/large_pages.hpp"
+#include "derham/core/parallel.hpp"
 #include "derham/core/text.hpp"
-#include "derham/geometry/predicates.hpp"
-#include "derham/geometry/simplex_metric.hpp"
+#include "derham/geometry/block_metric.hpp"
+#include "derham/geometry/top_volumes.hpp"
 
 #include <cmath>
+#include <numeric>
 
 namespace derham {
 
 namespace {
 
-// Calls body(t, metric) for every top simplex in order.
-template <int n, class Body>
-void for_each_metric(const SimplicialComplex<n>& K, const Geometry<n>& geometry, Body&& body) {
-  geometry.require_fits(K);
-  const int d = geometry.coordinate_dimension();
-  std::vector<double> scratch(static_cast<std::size_t>(n * d));
-  for (Index t = 0; t < K.size(n); ++t) {
-    const auto corners = geometry.corners(K, t);
-    body(t, SimplexMetric<n>(corners, d, geometry.relative_flatness(), geometry.roundoff(corners), scratch.data()));
-  }
+constexpr Offset grain = 1 << 14;
+
+// The volumes of degree k as BlockMetric gives them, and the degenerate simplices of every `grain` of them.
+template <int k, int n>
+std::vector<std::vector<Index>> measure(const SimplicialComplex<n>& K, const BlockMetric<n>& metric,
+                                        std::vector<double>& volume) {
+  const Offset size = K.size(k);
+  reserve_large(volume, static_cast<std::size_t>(size));
+  volume.assign(static_cast<std::size_t>(size), 1.0);
+  std::vector<std::vector<Index>> degenerate(static_cast<std::size_t>((size + grain - 1) / grain));
+  if constexpr (k > 0)
+    parallel_blocks(size, grain, [&](Offset begin, Offset end) {
+      metric.template measure_volumes<k>(static_cast<Index>(begin), static_cast<Index>(end), volume.data() + begin,
+                                         degenerate[static_cast<std::size_t>(begin / grain)]);
+    });
+  return degenerate;
 }
 
 }  // namespace
 
 template <int n>
+TopVolumes top_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
+  TopVolumes result;
+  for (const auto& part : measure<n>(K, BlockMetric<n>(K, geometry), result.volume))
+    result.degenerate.insert(result.degenerate.end(), part.begin(), part.end());
+  return result;
+}
+
+template <int n>
 ByDegree<n> primal_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
-  ByDegree<n> volume;
-  for (int k = 0; k <= n; ++k) volume[static_cast<std::size_t>(k)].resize(static_cast<std::size_t>(K.size(k)));
-  for_each_metric(K, geometry, [&](Index t, const SimplexMetric<n>& metric) {
-    const auto index = face_indices(K, t);
-    for_each_mask<n>([&]<unsigned mask>() {
-      volume[mask_degree(mask)][static_cast<std::size_t>(index[mask])] = metric.volume[mask];
-    });
-  });
-  return volume;
+  const BlockMetric<n> metric(K, geometry);
+  ByDegree<n> result;
+  unrolled<n + 1>([&]<int k>() { (void)measure<k>(K, metric, result[k]); });
+  for (double& volume : result[n]) volume = std::abs(volume);
+  return result;
 }
 
 template <int n>
@@ -43,27 +56,22 @@ template <int n>
 std::vector<double> squared_lengths(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
   geometry.require_fits(K);
   std::vector<double> squares(static_cast<std::size_t>(K.size(1)));
-  for (Index t = 0; t < K.size(n); ++t) {
-    const auto index = face_indices(K, t);
-    const auto corners = geometry.corners(K, t);
-    for_each_mask<n>([&]<unsigned mask>() {
-      if constexpr (mask_degree(mask) == 1) {
-        constexpr auto ends = mask_vertices<mask>();
-        const double *a = corners[static_cast<std::size_t>(ends[0])], *b = corners[static_cast<std::size_t>(ends[1])];
-        double sum = 0;
-        for (int axis = 0; axis < geometry.coordinate_dimension(); ++axis)
-          sum += (b[axis] - a[axis]) * (b[axis] - a[axis]);
-        squares[static_cast<std::size_t>(index[mask])] = sum;
-      }
-    });
-  }
+  parallel_blocks(K.size(1), grain, [&](Offset begin, Offset end) {
+    for (Offset e = begin; e < end; ++e) {
+      const auto [a, b] = geometry.template corners<1>(K, static_cast<Index>(e));
+      double sum = 0;
+      for (int axis = 0; axis < geometry.coordinate_dimension(); ++axis)
+        sum += (b[axis] - a[axis]) * (b[axis] - a[axis]);
+      squares[static_cast<std::size_t>(e)] = sum;
+    }
+  });
   return squares;
 }
 
 template <int n>
 double total_volume(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
   double sum = 0;
-  for_each_metric(K, geometry, [&](Index, const SimplexMetric<n>& metric) { sum += metric.volume[full_mask<n>]; });
+  for (const double volume : top_volumes(K, geometry).volume) sum += std::abs(volume);
   return sum;
 }
 
@@ -72,11 +80,7 @@ std::vector<double> signed_volumes(const SimplicialComplex<n>& K, const Geometry
   if (!geometry.has_signed_volume())
     throw GeometryError(text("simplices of dimension ", n, " have no signed volume in dimension ",
                              geometry.ambient_dimension(), "; that needs positions in dimension ", n));
-  std::vector<double> volume(static_cast<std::size_t>(K.size(n)));
-  for_each_metric(K, geometry, [&](Index t, const SimplexMetric<n>& metric) {
-    volume[static_cast<std::size_t>(t)] = orientation_sign<n>(geometry.corners(K, t)) * metric.volume[full_mask<n>];
-  });
-  return volume;
+  return std::move(top_volumes(K, geometry).volume);
 }
 
 template <int n>
@@ -85,6 +89,7 @@ void orient_by_volume(SimplicialComplex<n>& K, const Geometry<n>& geometry) {
 }
 
 #define DERHAM_INSTANTIATE(n)                                                                      \
+  template TopVolumes top_volumes<n>(const SimplicialComplex<n>&, const Geometry<n>&);             \
   template ByDegree<n> primal_volumes<n>(const SimplicialComplex<n>&, const Geometry<n>&);         \
   template double total_volume<n>(const SimplicialComplex<n>&, const Geometry<n>&);                \
   template std::vector<double> signed_volumes<n>(const SimplicialComplex<n>&, const Geometry<n>&); \

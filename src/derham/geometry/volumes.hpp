@@ -14,15 +14,15 @@ using ByDegree = std::array<std::vector<double>, n + 1>;
 
 /// Volumes of the simplices of every degree: 1 for a vertex, lengths, areas, …; 0 for flat simplices.
 /// Units    [k]: length^k
-/// Cost     one pass over the top simplices
+/// Cost     one pass over the simplices of every degree; the same bits for any number of threads
 /// Source   Elcott & Schröder, "Building your own DEC at home", §6.2.1
 template <int n>
 [[nodiscard]] ByDegree<n> primal_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
 
-/// Squared edge lengths, as Geometry::from_squared_lengths takes them: shape (|E|,), of an edge between corners that of
-/// the last top simplex it belongs to.
+/// Squared edge lengths, as Geometry::from_squared_lengths takes them: shape (|E|,), in the chart of the first
+/// top simplex that an edge belongs to.
 /// Units    length^2
-/// Cost     one pass over the top simplices
+/// Cost     one pass over the edges
 /// Throws   InputError unless the geometry was made for K
 template <int n>
   requires(n >= 1)
