@@ -69,7 +69,7 @@ def kernel_table(benchmarks):
 
 
 def show(report):
-    benchmarks = measurements(report)
+    benchmarks = [b for b in measurements(report) if b.error is None or not b.order]
     if not benchmarks:
         return "nothing was measured"
     repetitions = max(len(b.runs) for b in benchmarks)
