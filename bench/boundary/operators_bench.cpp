@@ -38,15 +38,18 @@ Kernel gathered(const BenchMesh& mesh) {
   const auto& K = complex_of<3>(mesh);
   const auto cofaces = std::make_shared<const Cofaces>(K, k - 1);
   const auto apply = [&K, cofaces](const Vector& x, Vector& y) { apply_boundary(K, *cofaces, x, y, columns); };
-  return application(mesh, K.size(k), K.size(k - 1), bytes(cofaces->offsets()) + bytes(cofaces->packed()), apply, columns);
+  return application(mesh, K.size(k), K.size(k - 1), bytes(cofaces->offsets()) + bytes(cofaces->packed()), apply,
+                     columns);
 }
 
 template <int k>
 Kernel eigen(const BenchMesh& mesh) {
   const auto& K = complex_of<3>(mesh);
-  const auto A = std::make_shared<const Eigen::SparseMatrix<double, Eigen::RowMajor>>(to_eigen(coboundary_matrix(K, k)));
+  const auto A =
+      std::make_shared<const Eigen::SparseMatrix<double, Eigen::RowMajor>>(to_eigen(coboundary_matrix(K, k)));
   const auto apply = [A](const Vector& x, Vector& y) {
-    Eigen::Map<Eigen::VectorXd>(y.data(), A->rows()).noalias() = *A * Eigen::Map<const Eigen::VectorXd>(x.data(), A->cols());
+    Eigen::Map<Eigen::VectorXd>(y.data(), A->rows()).noalias() =
+        *A * Eigen::Map<const Eigen::VectorXd>(x.data(), A->cols());
   };
   return application(mesh, K.size(k), K.size(k + 1), 12 * A->nonZeros() + 4 * A->rows(), apply);
 }

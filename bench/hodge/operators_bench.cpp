@@ -75,7 +75,8 @@ Kernel eigen(const BenchMesh& mesh) {
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   const auto A = std::make_shared<const Matrix>(d.transpose() * diagonal.asDiagonal() * d);
   const auto apply = [A](const Vector& x, Vector& y) {
-    Eigen::Map<Eigen::VectorXd>(y.data(), A->rows()).noalias() = *A * Eigen::Map<const Eigen::VectorXd>(x.data(), A->cols());
+    Eigen::Map<Eigen::VectorXd>(y.data(), A->rows()).noalias() =
+        *A * Eigen::Map<const Eigen::VectorXd>(x.data(), A->cols());
   };
   return application(mesh, size, size, 12 * A->nonZeros() + 4 * A->rows(), apply);
 }

@@ -86,7 +86,8 @@ void expect_top_simplices_agree(const MeshData& mesh) {
       for (unsigned mask = 1; mask <= full_mask<n>; ++mask)
         if (mask_degree(mask) == 1) longest = std::max(longest, exact.volume[mask]);
       const double condition =
-          std::pow(longest / exact.unit, n) / (static_cast<double>(factorial(n)) * exact.volume[full_mask<n>] / std::pow(exact.unit, n));
+          std::pow(longest / exact.unit, n) /
+          (static_cast<double>(factorial(n)) * exact.volume[full_mask<n>] / std::pow(exact.unit, n));
       expect_agrees<n>(*block, i, metric.unit(), exact, condition);
     }
   }

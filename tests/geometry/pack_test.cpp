@@ -12,7 +12,14 @@ namespace derham {
 namespace {
 
 const std::vector<double>& samples() {
-  static const std::vector<double> list{0.0, -0.0, 1.0, -1.5, 1e-310, -3e200, 0.1, std::numeric_limits<double>::infinity(),
+  static const std::vector<double> list{0.0,
+                                        -0.0,
+                                        1.0,
+                                        -1.5,
+                                        1e-310,
+                                        -3e200,
+                                        0.1,
+                                        std::numeric_limits<double>::infinity(),
                                         std::numeric_limits<double>::quiet_NaN()};
   return list;
 }
