@@ -120,7 +120,7 @@ TYPED_TEST(Construction, EmptyInput) {
     for (int k = -1; k <= dimension + 1; ++k) EXPECT_EQ(K->size(k), 0);
     EXPECT_TRUE(K->is_pure());
     EXPECT_TRUE(K->is_orientable());
-    EXPECT_EQ(K->orientation().components, 0);
+    EXPECT_EQ(facet_components(*K).count, 0);
     EXPECT_EQ(K->component_count(), 0);
     EXPECT_EQ(K->euler_characteristic(), 0);
     EXPECT_FALSE(K->find({0}));

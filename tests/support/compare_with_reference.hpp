@@ -56,7 +56,7 @@ void expect_same_as_reference(const std::vector<std::vector<Index>>& rows) {
   EXPECT_EQ(K.is_pure(), maximal.empty());
 
   EXPECT_EQ(K.is_orientable(), R.orientable);
-  EXPECT_EQ(K.orientation().components, R.sheets);
+  EXPECT_EQ(facet_components(K).count, R.sheets);
   const FacetCofaces dual = facet_cofaces(K);
   for (const auto& [facet, tops] : R.facet_cofaces()) {
     const auto f = static_cast<std::size_t>(R.find(facet).first);

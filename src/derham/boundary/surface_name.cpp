@@ -57,13 +57,13 @@ SimplexList compact_rows(int degree, std::vector<Index> vertices) {
 
 std::string surface_name(const SimplexList& triangles) {
   const SimplicialComplex<2> surface(triangles);
-  const Orientation& orientation = surface.orientation();
-  if (orientation.components == 1) return connected_surface_name(surface);
+  const FacetComponents components = facet_components(surface);
+  if (components.count == 1) return connected_surface_name(surface);
 
   constexpr Index named_components = 4;
-  std::vector<std::vector<Index>> rows(static_cast<std::size_t>(std::min(orientation.components, named_components)));
+  std::vector<std::vector<Index>> rows(static_cast<std::size_t>(std::min(components.count, named_components)));
   for (Index t = 0; t < surface.size(2); ++t) {
-    const auto component = static_cast<std::size_t>(orientation.component[static_cast<std::size_t>(t)]);
+    const auto component = static_cast<std::size_t>(components.of_top[static_cast<std::size_t>(t)]);
     if (component >= rows.size()) continue;
     const auto triangle = surface.simplex<2>(t);
     rows[component].insert(rows[component].end(), triangle.begin(), triangle.end());
@@ -73,7 +73,7 @@ std::string surface_name(const SimplexList& triangles) {
     names += names.empty() ? "" : ", ";
     names += connected_surface_name(SimplicialComplex<2>(compact_rows(2, std::move(part))));
   }
-  return text(orientation.components, " components (", names, orientation.components > named_components ? ", …)" : ")");
+  return text(components.count, " components (", names, components.count > named_components ? ", …)" : ")");
 }
 
 }  // namespace derham::detail

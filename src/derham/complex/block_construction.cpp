@@ -63,7 +63,7 @@ void ComplexBuilder<n>::write_block(SimplicialComplex<n>& K, const BlockLinks<n>
 /// The face of every triangle that omits its first vertex.
 template <int n>
 void ComplexBuilder<n>::find_last_sides(SimplicialComplex<n>& K, Index triangles) {
-  constexpr Offset ahead = 16;
+  constexpr Offset ahead = 32;
   const Index *const edges = K.simplices_[1].data(), *const triangle = K.simplices_[2].data();
   const Index* const bucket = K.buckets_[1].data();
   Index* const faces = K.faces_[2].data();
@@ -78,8 +78,8 @@ void ComplexBuilder<n>::find_last_sides(SimplicialComplex<n>& K, Index triangles
 }
 
 template <int n>
-std::vector<Sign> ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices,
-                                                  Index vertex_count)
+RowSigns ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices,
+                                         Index vertex_count)
   requires(n == 2 || n == 3)
 {
   const auto refuse = [&] { require_valid_input(check_input(rows, vertex_count), rows, vertex_count); };
@@ -97,7 +97,7 @@ std::vector<Sign> ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const
   std::vector<char> in_order(at(tops.block_count()), 1);  // whether the top simplices of a block stand in order
 
   std::array<Offset, 3> total{};  // edges, triangles, tops so far
-  std::atomic<bool> defect{false};
+  std::atomic<bool> defect{false}, coherent{true};
   struct Work {
     BlockLinks<n> links;
     std::array<Index, 3> first{};
@@ -116,6 +116,7 @@ std::vector<Sign> ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const
       [&](Work& work, Offset block) {
         write_block(K, work.links, tops.first_vertex(static_cast<Index>(block)), work.first);
         if (work.links.has_defect()) defect = true;
+        if (!work.links.is_coherent()) coherent = false;
         const auto order = work.links.order();
         for (std::size_t i = 0; i < order.size(); ++i)
           if (order[i] != work.first[2] + static_cast<Index>(i)) in_order[static_cast<std::size_t>(block)] = 0;
@@ -137,9 +138,9 @@ std::vector<Sign> ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const
   }
   K.simplices_[1].shrink(at(static_cast<Index>(edges)) * 2);
   K.simplices_[n] = std::move(tops.tuples);
-  return std::move(tops.signs);
+  return {std::move(tops.signs), coherent};
 }
-template std::vector<Sign> ComplexBuilder<2>::build_blocks(SimplicialComplex<2>&, const SimplexList&, Index, Index);
-template std::vector<Sign> ComplexBuilder<3>::build_blocks(SimplicialComplex<3>&, const SimplexList&, Index, Index);
+template RowSigns ComplexBuilder<2>::build_blocks(SimplicialComplex<2>&, const SimplexList&, Index, Index);
+template RowSigns ComplexBuilder<3>::build_blocks(SimplicialComplex<3>&, const SimplexList&, Index, Index);
 
 }  // namespace derham

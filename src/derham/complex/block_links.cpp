@@ -14,6 +14,9 @@ constexpr Index most_neighbours = 64;  // so that a row of the matrix is a word
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
+// The top simplex of an entry of TopBlocks::in.
+Index top_of(Index entry) { return entry < 0 ? ~entry : entry; }
+
 // Room for `size` elements, without touching those that are there.
 template <class T>
 void grow(std::vector<T>& values, std::size_t size) {
@@ -37,39 +40,61 @@ BlockLinks<n>::BlockLinks(const TopBlocks<n>& tops, Index vertex_count)
     : all_(tops), vertex_count_(vertex_count), number_(at(vertex_count), 0),
       position_(at(most_neighbours * most_neighbours)) {}
 
-// A counting sort.
+// A counting sort of the top simplices whose vertex number p lies in the block, by that vertex.
 template <int n>
-void BlockLinks<n>::group(int p, Index block) {
-  constexpr std::size_t ahead = TopBlocks<n>::look_ahead;
+template <int p>
+void BlockLinks<n>::group(Index block) {
+  constexpr std::size_t ahead = TopBlocks<n>::look_ahead, width = n - p;
   const auto list = all_.in(p, block);
-  const Index first = all_.first_vertex(block), vertices = all_.last_vertex(block) - first;
-  const Index* const tuples = all_.tuples.data();
-  const auto place = at(p), width = at(n - p);
-  Group& group = groups_[place];
-  group.begin.assign(at(vertices) + 1, 0);
+  const Index first = all_.first_vertex(block);
+  const auto tuple = [tuples = all_.tuples.data()](Index entry) { return tuples + at(top_of(entry)) * (n + 1) + p; };
+  Group& group = groups_[p];
+  group.begin.assign(at(all_.last_vertex(block) - first) + 1, 0);
+  Index* const count = group.begin.data() + 1;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    __builtin_prefetch(tuples + at(list.data()[i + ahead]) * (n + 1));
-    ++group.begin[at(tuples[at(list[i]) * (n + 1) + place] - first) + 1];
+    __builtin_prefetch(tuple(list.data()[i + ahead]));
+    ++count[*tuple(list[i]) - first];
   }
   std::partial_sum(group.begin.begin(), group.begin.end(), group.begin.begin());
   next_.assign(group.begin.begin(), group.begin.end());
   group.rest.resize(list.size() * width);
   group.top.resize(list.size());
-  for (const Index top : list) {
-    const Index* const tuple = tuples + at(top) * (n + 1) + place;
-    const auto to = at(next_[at(*tuple - first)]++);
-    for (std::size_t i = 0; i < width; ++i) group.rest[to * width + i] = tuple[i + 1];
-    group.top[to] = top;
+  group.odd.resize(list.size());
+  Index *const next = next_.data(), *const rest = group.rest.data(), *const top = group.top.data();
+  std::uint8_t* const odd = group.odd.data();
+  for (const Index entry : list) {
+    const Index* const vertices = tuple(entry);
+    const auto to = at(next[*vertices - first]++);
+    for (std::size_t i = 0; i < width; ++i) rest[to * width + i] = vertices[i + 1];
+    top[to] = top_of(entry);
+    odd[to] = static_cast<std::uint8_t>(entry < 0);
+  }
+}
+
+// The same for the vertices number 2 of tetrahedra, of which the last edge is all that matters.
+template <int n>
+void BlockLinks<n>::group_last_edges(Index block) {
+  if constexpr (n == 3) {
+    const auto edges = all_.last_edges(block);
+    const Index first = all_.first_vertex(block);
+    Group& group = groups_[2];
+    group.begin.assign(at(all_.last_vertex(block) - first) + 1, 0);
+    for (const auto& [v, w] : edges) ++group.begin[at(v - first) + 1];
+    std::partial_sum(group.begin.begin(), group.begin.end(), group.begin.begin());
+    next_.assign(group.begin.begin(), group.begin.end());
+    group.rest.resize(edges.size());
+    Index *const next = next_.data(), *const rest = group.rest.data();
+    for (const auto& [v, w] : edges) rest[next[v - first]++] = w;
   }
 }
 
 template <int n>
 void BlockLinks<n>::find(Index block) {
+  group<0>(block);
+  group<1>(block);
+  group_last_edges(block);
   std::size_t met = 0;
-  for (int p = 0; p < n; ++p) {
-    group(p, block);
-    met += groups_[at(p)].rest.size();
-  }
+  for (const Group& group : groups_) met += group.rest.size();
   const Index first = all_.first_vertex(block), vertices = all_.last_vertex(block) - first;
   const auto begins = groups_[0].top.size(), continues = groups_[1].top.size();
   groups_[0].faces.resize(begins * n);
@@ -104,6 +129,7 @@ void BlockLinks<n>::find(Index block) {
   }
   edge_begin_.back() = edges_;
   triangle_begin_.back() = triangles_found_;
+  judge_facets();
 }
 
 // Numbers the upper neighbours as they are met, and notes the number of each vertex in the stars; false if there are too
@@ -271,6 +297,25 @@ void BlockLinks<n>::sort_tops(Star star) {
   std::ranges::sort(order, [&](Index a, Index b) { return std::ranges::lexicographical_compare(rest(a), rest(b)); });
   for (std::size_t i = 1; i < order.size(); ++i) defect_ |= std::ranges::equal(rest(order[i - 1]), rest(order[i]));
   for (Index& q : order) q = groups_[0].top[at(star.begin + q)];
+}
+
+// All cofaces of a facet that begins in the block begin, or have their second vertex, at its first vertex: they are at hand.
+template <int n>
+void BlockLinks<n>::judge_facets() {
+  constexpr std::uint8_t untouched = 0, closed = 3;  // else 1 or 2, for the entry +1 or -1 of the first coface
+  facet_states_.assign(at(n == 2 ? edge_count() : triangle_count()), untouched);
+  bool flaw = false;
+  const auto meet = [&](Index facet, unsigned odd) {
+    std::uint8_t& state = facet_states_[at(facet)];
+    const auto mine = static_cast<std::uint8_t>(1 + odd);
+    flaw |= state == closed || state == mine;
+    state = state == untouched ? mine : closed;
+  };
+  const Group &first = groups_[0], &second = groups_[1];
+  for (std::size_t i = 0; i < first.top.size(); ++i)
+    for (unsigned f = 0; f < n; ++f) meet(first.faces[i * n + f], (first.odd[i] ^ (n - f)) & 1U);  // omits vertex n - f
+  for (std::size_t i = 0; i < second.top.size(); ++i) meet(second.faces[i], second.odd[i]);        // omits vertex 0
+  coherent_ = !flaw;
 }
 
 template class BlockLinks<2>;

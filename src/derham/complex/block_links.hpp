@@ -53,32 +53,41 @@ class BlockLinks {
   /// Whether some vertex of the block belongs to no top simplex, or two top simplices are the same.
   [[nodiscard]] bool has_defect() const noexcept { return defect_; }
 
+  /// Whether all facets that begin in the block have one coface, or two that induce opposite orientations when top simplices
+  /// have the signs of their rows.
+  [[nodiscard]] bool is_coherent() const noexcept { return coherent_; }
+
  private:
   /// The top simplices whose vertex number p lies in the block, grouped by that vertex.
   struct Group {
-    std::vector<Index> begin;  // (vertices + 1,)
-    std::vector<Index> rest;   // (count, n - p): the vertices behind
-    std::vector<Index> top;    // (count,)
-    std::vector<Index> faces;  // see top_faces
+    std::vector<Index> begin;       // (vertices + 1,)
+    std::vector<Index> rest;        // (count, n - p): the vertices behind
+    std::vector<Index> top;         // (count,)
+    std::vector<std::uint8_t> odd;  // (count,) whether an odd permutation sorted it
+    std::vector<Index> faces;       // see top_faces
   };
   /// The part of a group that belongs to one vertex.
   struct Star {
     Index begin, count;
   };
 
-  void group(int p, Index block);
+  template <int p>
+  void group(Index block);
+  void group_last_edges(Index block);
   bool number_neighbours(const std::array<Star, n>& stars);
   template <int side>
   void small_link(Index vertex, const std::array<Star, n>& stars);
   void large_link(Index vertex, const std::array<Star, n>& stars);
   void add_triangle(Index vertex, Index i, Index j);
   void sort_tops(Star star);
+  void judge_facets();
 
   const TopBlocks<n>& all_;
   Index vertex_count_;
   std::array<Group, n> groups_;
   std::vector<Index> edge_begin_, triangle_begin_, neighbours_, triangles_, sides_, order_;
-  bool defect_ = false;
+  bool defect_ = false, coherent_ = true;
+  std::vector<std::uint8_t> facet_states_;  // see judge_facets
 
   // Of the vertex at hand.
   Index edges_ = 0, triangles_found_ = 0;  // before it

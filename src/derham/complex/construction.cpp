@@ -184,8 +184,8 @@ void ComplexBuilder<n>::fill_last_faces(SimplicialComplex<n>& K, int k) {
 }
 
 template <int n>
-std::vector<Sign> ComplexBuilder<n>::build(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices,
-                                           Index vertex_count) {
+RowSigns ComplexBuilder<n>::build(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices,
+                                  Index vertex_count) {
   K.simplices_[0] = BulkArray<Index>(static_cast<std::size_t>(vertices));
   std::iota(K.simplices_[0].begin(), K.simplices_[0].end(), Index{0});
   if constexpr (n == 2 || n == 3) {
@@ -196,7 +196,7 @@ std::vector<Sign> ComplexBuilder<n>::build(SimplicialComplex<n>& K, const Simple
 }
 
 template <int n>
-std::vector<Sign> ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count) {
+RowSigns ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count) {
   const Offset tops = rows.size();
   std::vector<Sign> signs(static_cast<std::size_t>(tops), Sign{1});
   if constexpr (n == 0) {
@@ -283,15 +283,15 @@ std::vector<Sign> ComplexBuilder<n>::build_pure(SimplicialComplex<n>& K, const S
     // Look up: of every simplex between, the face that omits its first vertex begins at another vertex.
     for (int k = 2; k < n; ++k) fill_last_faces(K, k);
   }
-  return signs;
+  return {std::move(signs), false};
 }
 
-template std::vector<Sign> ComplexBuilder<0>::build(SimplicialComplex<0>&, const SimplexList&, Index, Index);
-template std::vector<Sign> ComplexBuilder<1>::build(SimplicialComplex<1>&, const SimplexList&, Index, Index);
-template std::vector<Sign> ComplexBuilder<2>::build(SimplicialComplex<2>&, const SimplexList&, Index, Index);
-template std::vector<Sign> ComplexBuilder<3>::build(SimplicialComplex<3>&, const SimplexList&, Index, Index);
-template std::vector<Sign> ComplexBuilder<4>::build(SimplicialComplex<4>&, const SimplexList&, Index, Index);
-template std::vector<Sign> ComplexBuilder<5>::build(SimplicialComplex<5>&, const SimplexList&, Index, Index);
-template std::vector<Sign> ComplexBuilder<6>::build(SimplicialComplex<6>&, const SimplexList&, Index, Index);
+template RowSigns ComplexBuilder<0>::build(SimplicialComplex<0>&, const SimplexList&, Index, Index);
+template RowSigns ComplexBuilder<1>::build(SimplicialComplex<1>&, const SimplexList&, Index, Index);
+template RowSigns ComplexBuilder<2>::build(SimplicialComplex<2>&, const SimplexList&, Index, Index);
+template RowSigns ComplexBuilder<3>::build(SimplicialComplex<3>&, const SimplexList&, Index, Index);
+template RowSigns ComplexBuilder<4>::build(SimplicialComplex<4>&, const SimplexList&, Index, Index);
+template RowSigns ComplexBuilder<5>::build(SimplicialComplex<5>&, const SimplexList&, Index, Index);
+template RowSigns ComplexBuilder<6>::build(SimplicialComplex<6>&, const SimplexList&, Index, Index);
 
 }  // namespace derham

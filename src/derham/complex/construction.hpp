@@ -14,6 +14,14 @@ class UpperLink;
 template <int n>
 class BlockLinks;
 
+/// What the rows of the input say of the signs of the top simplices.
+struct RowSigns {
+  std::vector<Sign> sign;  ///< (|K_n|,) of the permutation that sorts the row
+  /// No facet has more than two cofaces, and with these signs the two entries of its row are opposite: they are the
+  /// orientation. False may mean that nobody looked.
+  bool coherent = false;
+};
+
 /// Fills the lists and tables of a complex. Internal to the room: use the constructor of SimplicialComplex.
 template <int n>
 class ComplexBuilder {
@@ -21,22 +29,21 @@ class ComplexBuilder {
   /// Fills K from rows whose largest dimension is n and that hold at least `vertices` ids; `vertex_count` is what was asked
   /// for, -1 if nothing was. Returns, for every top simplex, the sign of the permutation that sorts its row.
   /// Throws   InputError for rows that are not sound, LimitError
-  static std::vector<Sign> build(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices, Index vertex_count);
+  static RowSigns build(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices, Index vertex_count);
 
  private:
   /// All rows of dimension n = 2 or 3: blocks of vertices, each looked at once.
-  static std::vector<Sign> build_blocks(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices,
-                                        Index vertex_count)
+  static RowSigns build_blocks(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices, Index vertex_count)
     requires(n == 2 || n == 3);
   static void write_block(SimplicialComplex<n>& K, const BlockLinks<n>& links, Index first_vertex,
                           const std::array<Index, 3>& first);
   static void find_last_sides(SimplicialComplex<n>& K, Index triangles);
 
   /// All rows of dimension n, whatever it is.
-  static std::vector<Sign> build_pure(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count);
+  static RowSigns build_pure(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count);
 
   /// Rows of several dimensions, the largest n: sort and unique, degree by degree.
-  static std::vector<Sign> build_mixed(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count);
+  static RowSigns build_mixed(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count);
 
   static void fill_lists(SimplicialComplex<n>& K, const UpperLink<n>& link, Index v);
   static void fill_top_faces(SimplicialComplex<n>& K, const UpperLink<n>& link, Index v, std::span<const Index> suffix,

@@ -41,7 +41,7 @@ std::vector<Padded> faces_of_degree(const std::vector<std::vector<Index>>& rows,
 }  // namespace
 
 template <int n>
-std::vector<Sign> ComplexBuilder<n>::build_mixed(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count) {
+RowSigns ComplexBuilder<n>::build_mixed(SimplicialComplex<n>& K, const SimplexList& rows, Index vertex_count) {
   std::vector<Sign> signs;
   std::vector<std::vector<Index>> sorted(static_cast<std::size_t>(rows.size()));
   for (Offset row = 0; row < rows.size(); ++row) {
@@ -102,15 +102,15 @@ std::vector<Sign> ComplexBuilder<n>::build_mixed(SimplicialComplex<n>& K, const 
     const int k = static_cast<int>(tuple.size()) - 1;
     K.rows_.push_back({k, k == n ? tops++ : K.find(tuple).index});
   }
-  return signs;
+  return {std::move(signs), false};
 }
 
-template std::vector<Sign> ComplexBuilder<0>::build_mixed(SimplicialComplex<0>&, const SimplexList&, Index);
-template std::vector<Sign> ComplexBuilder<1>::build_mixed(SimplicialComplex<1>&, const SimplexList&, Index);
-template std::vector<Sign> ComplexBuilder<2>::build_mixed(SimplicialComplex<2>&, const SimplexList&, Index);
-template std::vector<Sign> ComplexBuilder<3>::build_mixed(SimplicialComplex<3>&, const SimplexList&, Index);
-template std::vector<Sign> ComplexBuilder<4>::build_mixed(SimplicialComplex<4>&, const SimplexList&, Index);
-template std::vector<Sign> ComplexBuilder<5>::build_mixed(SimplicialComplex<5>&, const SimplexList&, Index);
-template std::vector<Sign> ComplexBuilder<6>::build_mixed(SimplicialComplex<6>&, const SimplexList&, Index);
+template RowSigns ComplexBuilder<0>::build_mixed(SimplicialComplex<0>&, const SimplexList&, Index);
+template RowSigns ComplexBuilder<1>::build_mixed(SimplicialComplex<1>&, const SimplexList&, Index);
+template RowSigns ComplexBuilder<2>::build_mixed(SimplicialComplex<2>&, const SimplexList&, Index);
+template RowSigns ComplexBuilder<3>::build_mixed(SimplicialComplex<3>&, const SimplexList&, Index);
+template RowSigns ComplexBuilder<4>::build_mixed(SimplicialComplex<4>&, const SimplexList&, Index);
+template RowSigns ComplexBuilder<5>::build_mixed(SimplicialComplex<5>&, const SimplexList&, Index);
+template RowSigns ComplexBuilder<6>::build_mixed(SimplicialComplex<6>&, const SimplexList&, Index);
 
 }  // namespace derham

@@ -86,7 +86,7 @@ BulkArray<Word> crowded_facets(const SimplicialComplex<n>& K) {
   return state;
 }
 
-/// The number of each component's set, by the first top simplex.
+/// The number of every top simplex' component.
 std::vector<Index> numbered_components(Growth& growth) {
   std::vector<Index> of_tree(static_cast<std::size_t>(growth.trees.size())), component(growth.tree.size());
   Index components = 0;
@@ -125,8 +125,6 @@ Orientation coherent_orientation(const SimplicialComplex<n>& K, std::span<const 
   Growth grown = growth(K, preferred);
   Orientation result;
   result.orientable = !grown.trees.contradictory();
-  result.components = grown.trees.sets();
-  if (result.components > 1) result.component = numbered_components(grown);
   if (result.orientable) {
     result.sign.assign(preferred.begin(), preferred.end());
     const bool as_preferred = !grown.reversing && !grown.trees.reversing();
@@ -139,12 +137,25 @@ Orientation coherent_orientation(const SimplicialComplex<n>& K, std::span<const 
   return result;
 }
 
-template Orientation coherent_orientation(const SimplicialComplex<0>&, std::span<const Sign>);
-template Orientation coherent_orientation(const SimplicialComplex<1>&, std::span<const Sign>);
-template Orientation coherent_orientation(const SimplicialComplex<2>&, std::span<const Sign>);
-template Orientation coherent_orientation(const SimplicialComplex<3>&, std::span<const Sign>);
-template Orientation coherent_orientation(const SimplicialComplex<4>&, std::span<const Sign>);
-template Orientation coherent_orientation(const SimplicialComplex<5>&, std::span<const Sign>);
-template Orientation coherent_orientation(const SimplicialComplex<6>&, std::span<const Sign>);
+template <int n>
+FacetComponents facet_components(const SimplicialComplex<n>& K) {
+  Growth grown = growth(K, K.orientation().sign);
+  FacetComponents result;
+  result.count = grown.trees.sets();
+  if (result.count > 1) result.of_top = numbered_components(grown);
+  return result;
+}
+
+#define DERHAM_INSTANTIATE(n)                                                                    \
+  template Orientation coherent_orientation(const SimplicialComplex<n>&, std::span<const Sign>); \
+  template FacetComponents facet_components(const SimplicialComplex<n>&);
+DERHAM_INSTANTIATE(0)
+DERHAM_INSTANTIATE(1)
+DERHAM_INSTANTIATE(2)
+DERHAM_INSTANTIATE(3)
+DERHAM_INSTANTIATE(4)
+DERHAM_INSTANTIATE(5)
+DERHAM_INSTANTIATE(6)
+#undef DERHAM_INSTANTIATE
 
 }  // namespace derham

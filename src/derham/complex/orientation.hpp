@@ -11,12 +11,10 @@ namespace derham {
 ///
 /// `sign[t]` is S(representative of top simplex t). Signs are coherent when for every facet with two cofaces the two
 /// entries of the boundary matrix are opposite. The free sign of each component makes its first input tuple positive,
-/// until positions say otherwise. A component is a set of top simplices connected across facets with two cofaces.
+/// until positions say otherwise; see facet_components.
 struct Orientation {
   bool orientable = true;
-  Index components = 0;
   std::vector<Sign> sign;        ///< (|K_n|,); all +1 when not orientable
-  std::vector<Index> component;  ///< (|K_n|,) component of each top simplex; empty when components <= 1
   std::vector<Index> one_sided;  ///< when not orientable: a closed walk of top simplices, each sharing a facet with the
                                  ///< next and the last with the first, along which orientation is reversed
 };
@@ -33,5 +31,15 @@ class SimplicialComplex;
 /// Source   Elcott & Schröder, "Building your own DEC at home", §3.2, made independent of an embedding
 template <int n>
 [[nodiscard]] Orientation coherent_orientation(const SimplicialComplex<n>& K, std::span<const Sign> preferred);
+
+/// The sets of top simplices that are connected across facets with two cofaces: within each the sign is free once.
+struct FacetComponents {
+  Index count = 0;
+  std::vector<Index> of_top;  ///< (|K_n|,) its number, in the order of their first top simplices; empty when count <= 1
+};
+
+/// Cost     as coherent_orientation
+template <int n>
+[[nodiscard]] FacetComponents facet_components(const SimplicialComplex<n>& K);
 
 }  // namespace derham

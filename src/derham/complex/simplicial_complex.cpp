@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace derham {
 namespace {
@@ -43,7 +44,11 @@ SimplicialComplex<n>::SimplicialComplex(const SimplexList& rows, Index vertex_co
   // More vertices than ids: some vertex is unused, found without allocating by the largest id.
   if (vertices < 0 || static_cast<std::size_t>(vertices) > rows.vertices().size())
     require_valid_input(check_input(rows, vertex_count), rows, vertex_count);
-  orientation_ = coherent_orientation(*this, ComplexBuilder<n>::build(*this, rows, vertices, vertex_count));
+  RowSigns signs = ComplexBuilder<n>::build(*this, rows, vertices, vertex_count);
+  if (signs.coherent)
+    orientation_.sign = std::move(signs.sign);
+  else
+    orientation_ = coherent_orientation(*this, signs.sign);
 }
 
 template <int n>
@@ -77,10 +82,13 @@ void SimplicialComplex<n>::orient_by(std::span<const double> weight) {
   if (weight.size() != static_cast<std::size_t>(size(n)))
     throw InputError(text("there are ", weight.size(), " weights for ", size(n), " top simplices"));
   if (!orientation_.orientable || n == 0) return;
-  const auto components = static_cast<std::size_t>(orientation_.components);
-  std::vector<double> sum(components, 0), magnitude(components, 0);
+  bool any_negative = false;  // usually not, and then no sum is
+  for (std::size_t t = 0; t < weight.size(); ++t) any_negative |= orientation_.sign[t] * weight[t] < 0;
+  if (!any_negative) return;
+  const FacetComponents components = facet_components(*this);
+  std::vector<double> sum(static_cast<std::size_t>(components.count), 0), magnitude(sum.size(), 0);
   const auto component = [&](std::size_t t) {
-    return orientation_.component.empty() ? std::size_t{0} : static_cast<std::size_t>(orientation_.component[t]);
+    return components.of_top.empty() ? std::size_t{0} : static_cast<std::size_t>(components.of_top[t]);
   };
   for (std::size_t t = 0; t < weight.size(); ++t) {
     sum[component(t)] += orientation_.sign[t] * weight[t];

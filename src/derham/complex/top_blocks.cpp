@@ -71,8 +71,12 @@ TopBlocks<n>::TopBlocks(std::span<const Index> rows, Index vertex_count)
       }
     }
     begin_[p].push_back(sum);
-    lists_[p] = BulkArray<Index>(size + look_ahead);
-    std::fill(lists_[p].end() - look_ahead, lists_[p].end(), Index{0});
+    if (p == 2) {
+      last_edges_ = BulkArray<std::array<Index, 2>>(size);
+    } else {
+      lists_[p] = BulkArray<Index>(size + look_ahead);
+      std::fill(lists_[p].end() - look_ahead, lists_[p].end(), Index{0});
+    }
   }
   for_pieces([&](const Piece& piece) { list(piece); });
 }
@@ -102,10 +106,13 @@ void TopBlocks<n>::list(const Piece& piece) {
   const auto blocks = static_cast<std::size_t>(blocks_);
   for (std::size_t t = piece.begin; t < piece.end; ++t) {
     const Index* v = tuples.data() + t * (n + 1);
-    for (std::size_t p = 0; p < n; ++p) {
-      Index& place = piece.count[p * blocks + static_cast<std::size_t>(v[p] >> block_bits)];
-      lists_[p][static_cast<std::size_t>(place++)] = static_cast<Index>(t);
-    }
+    const Index entry = signs[t] < 0 ? ~static_cast<Index>(t) : static_cast<Index>(t);
+    const auto next = [&](std::size_t p) {
+      return static_cast<std::size_t>(piece.count[p * blocks + static_cast<std::size_t>(v[p] >> block_bits)]++);
+    };
+    lists_[0][next(0)] = entry;
+    lists_[1][next(1)] = entry;
+    if constexpr (n == 3) last_edges_[next(2)] = {v[2], v[3]};
   }
 }
 

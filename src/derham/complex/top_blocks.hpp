@@ -20,7 +20,7 @@ class TopBlocks {
   static constexpr int block_bits = 11;
   static constexpr Index block_size = Index{1} << block_bits;
   /// So many entries behind the end of a list may be read (and mean nothing): for those who look ahead.
-  static constexpr std::size_t look_ahead = 16;
+  static constexpr std::size_t look_ahead = 48;
 
   /// `rows` (|K_n|, n+1) in any vertex order.
   TopBlocks(std::span<const Index> rows, Index vertex_count);
@@ -38,12 +38,21 @@ class TopBlocks {
     return block + 1 < blocks_ ? (block + 1) << block_bits : vertices_;
   }
 
-  /// The top simplices whose vertex number p < n lies in `block`.
+  /// The top simplices t whose vertex number p = 0 or 1 lies in `block`, in increasing order: t if an even permutation
+  /// sorted its row, the complement ~t if an odd one did. So whoever visits them need not look for their signs.
   [[nodiscard]] std::span<const Index> in(int p, Index block) const noexcept {
     const auto& begin = begin_[static_cast<std::size_t>(p)];
     const auto first = static_cast<std::size_t>(begin[static_cast<std::size_t>(block)]);
     return {lists_[static_cast<std::size_t>(p)].data() + first,
             static_cast<std::size_t>(begin[static_cast<std::size_t>(block) + 1]) - first};
+  }
+  /// The last two vertices of those whose vertex number 2 lies in `block`, for n = 3.
+  [[nodiscard]] std::span<const std::array<Index, 2>> last_edges(Index block) const noexcept
+    requires(n == 3)
+  {
+    const auto& begin = begin_[2];
+    const auto first = static_cast<std::size_t>(begin[static_cast<std::size_t>(block)]);
+    return {last_edges_.data() + first, static_cast<std::size_t>(begin[static_cast<std::size_t>(block) + 1]) - first};
   }
   /// How many top simplices begin in the blocks before this one.
   [[nodiscard]] Index before(Index block) const noexcept { return begin_[0][static_cast<std::size_t>(block)]; }
@@ -59,9 +68,10 @@ class TopBlocks {
 
   Index vertices_, blocks_;
   bool sound_ = false;
-  std::vector<char> last_;                   // (|V|,)
-  std::array<std::vector<Index>, n> begin_;  // [p]: (blocks + 1,)
-  std::array<BulkArray<Index>, n> lists_;    // [p]: (|K_n|,)
+  std::vector<char> last_;                      // (|V|,)
+  std::array<std::vector<Index>, n> begin_;     // [p]: (blocks + 1,)
+  std::array<BulkArray<Index>, 2> lists_;       // [p]: (|K_n|,)
+  BulkArray<std::array<Index, 2>> last_edges_;  // (|K_n|,) for n = 3
 };
 
 }  // namespace derham
