@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
+#include <optional>
 #include <regex>
 #include <set>
 #include <thread>
@@ -41,11 +42,12 @@ void measure_kernel(benchmark::State& state, const Kernel& kernel) {
   double total = 0, peak = 0, resident = 0;
   if (kernel.memory) ::malloc_trim(0);
   for ([[maybe_unused]] auto iteration : state) {
-    const PeakMemory memory;
+    std::optional<PeakMemory> memory;  // asking the system takes longer than many kernels
+    if (kernel.memory) memory.emplace();
     const double time = seconds(kernel);
-    if (kernel.memory) {
-      peak = static_cast<double>(memory.bytes());
-      resident = static_cast<double>(memory.held());
+    if (memory) {
+      peak = static_cast<double>(memory->bytes());
+      resident = static_cast<double>(memory->held());
     }
     if (kernel.reset) kernel.reset();
     state.SetIterationTime(time);
