@@ -47,7 +47,7 @@ TopBlocks<n>::TopBlocks(std::span<const Index> rows, Index vertex_count)
   std::vector<Index> counts((size / longest + 1) * n * blocks, 0);
   std::vector<Piece> pieces;
   for (std::size_t begin = 0; begin < size; begin += longest)
-    pieces.push_back({begin, std::min(size, begin + longest), &counts[pieces.size() * n * blocks]});
+    pieces.push_back({begin, std::min(size, begin + longest), counts.data() + pieces.size() * n * blocks});
   const auto for_pieces = [&](auto&& body) {
     parallel_blocks(static_cast<Offset>(pieces.size()), 1,
                     [&](Offset i, Offset) { body(pieces[static_cast<std::size_t>(i)]); });
