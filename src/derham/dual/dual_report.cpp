@@ -30,7 +30,7 @@ class Selection {
 
  private:
   std::vector<Index>& list_;
-  std::array<Index, capacity> block_;
+  std::array<Index, capacity> block_{};
   std::size_t count_ = 0;
 };
 

@@ -22,10 +22,10 @@ struct MetricBlock {
   static constexpr Index capacity = 1024;
   using Row = std::array<double, static_cast<std::size_t>(capacity)>;
 
-  Row volume;                     ///< units length^k
-  std::array<Row, k + 1> height;  ///< [v]: signed distance of the circumcentre from the facet opposite to corner v
-  Row rounding;                   ///< what rounding of the coordinates may change a height by
-  std::vector<Index> degenerate;  ///< top simplices among them; their heights are NaN
+  Row volume{};                     ///< units length^k
+  std::array<Row, k + 1> height{};  ///< [v]: signed distance of the circumcentre from the facet opposite to corner v
+  Row rounding{};                   ///< what rounding of the coordinates may change a height by
+  std::vector<Index> degenerate;    ///< top simplices among them; their heights are NaN
   std::vector<double> scratch;
 };
 
