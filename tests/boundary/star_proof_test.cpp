@@ -106,7 +106,8 @@ Rows pinched(Rows rows, int identifications, Random& random) {
   for (const auto& row : rows)
     for (const Index v : row) vertices = std::max(vertices, v + 1);
   for (int i = 0; i < identifications; ++i) {
-    const Index from = support::uniform(random, 0, vertices - 1), to = support::uniform(random, 0, vertices - 1);
+    const Index from = support::uniform(random, 0, static_cast<int>(vertices) - 1),
+                to = support::uniform(random, 0, static_cast<int>(vertices) - 1);
     for (auto& row : rows) std::ranges::replace(row, from, to);
   }
   std::erase_if(rows, [](const auto& row) { return std::set(row.begin(), row.end()).size() < row.size(); });
