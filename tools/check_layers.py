@@ -18,6 +18,7 @@ MAY_INCLUDE = {
     "geometry": ["core", "complex"],  # never boundary, forms
     "dual": ["core", "complex", "boundary", "geometry"],
     "hodge": ["core", "complex", "boundary", "forms", "geometry", "dual"],
+    "operators": ["core", "complex", "boundary", "forms", "geometry", "dual", "hodge"],
     "meshes": ["core", "complex", "geometry"],
     "io": ["core", "complex", "geometry", "forms", "dual"],
 }
