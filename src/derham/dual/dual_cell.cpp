@@ -1,9 +1,9 @@
 #include "derham/dual/dual_cell.hpp"
 
+#include "derham/complex/local_faces.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/geometry/circumcenter.hpp"
-#include "derham/geometry/local_faces.hpp"
 #include "derham/geometry/naming.hpp"
 #include "derham/geometry/simplex_metric.hpp"
 

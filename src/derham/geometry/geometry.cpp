@@ -1,8 +1,8 @@
 #include "derham/geometry/geometry.hpp"
 
+#include "derham/complex/local_faces.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
-#include "derham/geometry/local_faces.hpp"
 #include "derham/geometry/naming.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "derham/complex/local_faces.hpp"
 #include "derham/complex/simplicial_complex.hpp"
 #include "derham/core/types.hpp"
-#include "derham/geometry/local_faces.hpp"
 #include "derham/geometry/mesh_data.hpp"
 
 #include <algorithm>
