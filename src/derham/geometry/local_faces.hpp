@@ -1,0 +1,3 @@
+#pragma once
+
+#include "derham/complex/local_faces.hpp"
