@@ -7,8 +7,8 @@
 #include "derham/meshes/classics.hpp"
 #include "derham/meshes/constructions.hpp"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include <array>
 #include <numeric>

@@ -167,7 +167,8 @@ TEST(DualWedgeOnSurfaces, IsZeroOnOpenCellsAndNeedsAnOrientation) {
 }
 
 TEST(DualWedgeErrors, OtherComplexesAndImpureOnes) {
-  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}}), L(SimplexList{{0, 1, 2}}), mixed(SimplexList{{0, 1, 2}, {2, 3}});
+  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}}), L(SimplexList{{0, 1, 2}}),
+      mixed(SimplexList{{0, 1, 2}, {2, 3}});
   EXPECT_THROW((void)wedge(Form<2, 0>(K), Form<2, 1, Side::dual>(L)), InputError);
   EXPECT_THROW((void)pair(Form<2, 1>(K), Form<2, 1, Side::dual>(L)), InputError);
   EXPECT_THROW((void)wedge(Form<2, 0, Side::dual>(mixed), Form<2, 1>(mixed)), TopologyError);

@@ -38,7 +38,8 @@ Form<n, p + q> sum_over_permutations(const Form<n, p>& a, const Form<n, q>& b) {
     std::iota(order.begin(), order.end(), Index{0});
     do {
       std::array<Index, p + q + 1> places = order, vertices;
-      for (std::size_t v = 0; v < order.size(); ++v) vertices[v] = K.simplex(p + q, i)[static_cast<std::size_t>(order[v])];
+      for (std::size_t v = 0; v < order.size(); ++v)
+        vertices[v] = K.simplex(p + q, i)[static_cast<std::size_t>(order[v])];
       result[i] += sort_with_sign(places) * value(a, std::span(vertices).template first<p + 1>()) *
                    value(b, std::span(vertices).template last<q + 1>());
     } while (std::ranges::next_permutation(order).found);
@@ -52,9 +53,7 @@ template <int n, class F>
 void for_random_pairs(F&& f) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const auto K = random_complex<n>(seed);
-    for_degrees<n>([&](auto p) {
-      for_degrees<n - decltype(p)::value>([&](auto q) { f(K, p, q, seed); });
-    });
+    for_degrees<n>([&](auto p) { for_degrees<n - decltype(p)::value>([&](auto q) { f(K, p, q, seed); }); });
   }
 }
 
@@ -126,8 +125,8 @@ TYPED_TEST(Wedge, IsCarriedToRenumberedComplexes) {
       for_degrees<n - p>([&]<int q>(Constant<q>) {
         const auto a = random_integer_form<n, p>(K, seed);
         const auto b = random_integer_form<n, q>(K, seed + 100);
-        EXPECT_EQ(wedge(carried(a, L, renumbering), carried(b, L, renumbering)),
-                  carried(wedge(a, b), L, renumbering)) << p << " " << q << ", seed " << seed;
+        EXPECT_EQ(wedge(carried(a, L, renumbering), carried(b, L, renumbering)), carried(wedge(a, b), L, renumbering))
+            << p << " " << q << ", seed " << seed;
       });
     });
   }
@@ -205,8 +204,7 @@ TYPED_TEST(Wedge, IsExactOnConstantForms) {
       std::array<std::array<double, n>, q> second;
       std::copy_n(all.begin(), p, first.begin());
       std::copy_n(all.begin() + p, q, second.begin());
-      const auto product =
-          wedge(constant_form<n, p>(K, geometry, first), constant_form<n, q>(K, geometry, second));
+      const auto product = wedge(constant_form<n, p>(K, geometry, first), constant_form<n, q>(K, geometry, second));
       EXPECT_LT(distance(product, constant_form<n, p + q>(K, geometry, all)), 1e-15) << p << " " << q;
     });
   });

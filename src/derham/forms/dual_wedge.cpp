@@ -128,10 +128,10 @@ Form<2, 2, Side::dual> wedge(const Form<2, 1, Side::dual>& a, const Form<2, 1, S
   return result;
 }
 
-#define DERHAM_INSTANTIATE(n)                                                                               \
-  template void detail::scale_by_vertex_means(const SimplicialComplex<n>&, int, std::span<const double>,   \
-                                              std::span<const double>, std::span<double>);                 \
-  template void detail::scale_by_top_means(const SimplicialComplex<n>&, int, std::span<const double>,      \
+#define DERHAM_INSTANTIATE(n)                                                                            \
+  template void detail::scale_by_vertex_means(const SimplicialComplex<n>&, int, std::span<const double>, \
+                                              std::span<const double>, std::span<double>);               \
+  template void detail::scale_by_top_means(const SimplicialComplex<n>&, int, std::span<const double>,    \
                                            std::span<const double>, std::span<double>);
 DERHAM_INSTANTIATE(0)
 DERHAM_INSTANTIATE(1)

@@ -69,8 +69,7 @@ template <int p, int q, class A, class B>
   constexpr unsigned whole = full_mask<p + q>;
   double sum = 0;
   for_each_mask<p + q>([&]<unsigned front>() {
-    if constexpr (mask_degree(front) == p)
-      sum += a.template operator()<front>() * back_sum<front, whole>(b);
+    if constexpr (mask_degree(front) == p) sum += a.template operator()<front>() * back_sum<front, whole>(b);
   });
   constexpr Offset terms = factorial(p + q + 1) / (factorial(p) * factorial(q));
   return sum / static_cast<double>(terms);
@@ -119,7 +118,7 @@ void apply_wedge(const SimplicialComplex<n>& K, int p, std::span<const double> a
   });
 }
 
-#define DERHAM_INSTANTIATE(n)                                                                                    \
+#define DERHAM_INSTANTIATE(n)                                                                                        \
   template void apply_wedge(const SimplicialComplex<n>&, int, std::span<const double>, int, std::span<const double>, \
                             std::span<double>);
 DERHAM_INSTANTIATE(0)
