@@ -96,7 +96,8 @@ TEST(RefinedManifolds, StayManifoldsOfTheSameKind) {
     EXPECT_EQ(before.verdict, after.verdict);
     EXPECT_EQ(before.closed, after.closed);
     EXPECT_EQ(before.orientable, after.orientable);
-    EXPECT_EQ(boundary_complex(K).complex.size(n - 1) << (n - 1), boundary_complex(refinement.fine()).complex.size(n - 1));
+    EXPECT_EQ(boundary_complex(K).complex.size(n - 1) << (n - 1),
+              boundary_complex(refinement.fine()).complex.size(n - 1));
   };
   expect_same(klein);
   expect_same(strip);
@@ -107,14 +108,16 @@ TEST(RefinedManifolds, StayManifoldsOfTheSameKind) {
 
 /// In dimension 2: three corners and the triangle of the midpoints.
 TEST(RefinedTriangle, IsRed) {
-  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}});  // midpoints 3 = (0, 1), 4 = (0, 2), 5 = (1, 2)
+  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}});
   const Refinement<2> refinement(K);
-  const auto& fine = refinement.fine();
+  const auto& fine = refinement.fine();  // vertices 00, 01, 02, 11, 12, 22
+  EXPECT_EQ(refinement.vertex(1), 3);
+  EXPECT_EQ(refinement.ends(4), (std::array<Index, 2>{1, 2}));
   EXPECT_EQ(fine.size(2), 4);
-  EXPECT_EQ(fine.at({0, 3, 4}).sign, 1);
-  EXPECT_EQ(fine.at({3, 1, 5}).sign, 1);
-  EXPECT_EQ(fine.at({4, 5, 2}).sign, 1);
-  EXPECT_EQ(fine.at({3, 5, 4}).sign, 1);
+  EXPECT_EQ(fine.at({0, 1, 2}).sign, 1);
+  EXPECT_EQ(fine.at({1, 3, 4}).sign, 1);
+  EXPECT_EQ(fine.at({2, 4, 5}).sign, 1);
+  EXPECT_EQ(fine.at({1, 4, 2}).sign, 1);
 }
 
 TEST(RefinedComplex, NamesATupleThatIsNoSimplex) {

@@ -34,7 +34,8 @@ TYPED_TEST(RefinedForm, ProlongationAndRestrictionCommuteWithDExactly) {
       const auto v = random_integer_form<n, k>(refinement.fine(), seed);
       EXPECT_EQ(restriction(refinement, prolongation(refinement, w)), w) << k << ", seed " << seed;
       EXPECT_EQ(restriction(refinement, prolongation(refinement, random_form<n, k>(K, seed))),
-                (random_form<n, k>(K, seed))) << "of any numbers";
+                (random_form<n, k>(K, seed)))
+          << "of any numbers";
       if constexpr (k < n) {
         EXPECT_EQ(d(prolongation(refinement, w)), prolongation(refinement, d(w))) << k << ", seed " << seed;
         EXPECT_EQ(d(restriction(refinement, v)), restriction(refinement, d(v))) << k << ", seed " << seed;

@@ -8,11 +8,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 // This follows Edelsbrunner & Grayson, "Edgewise subdivision of a simplex", 2000, with two parts an edge. A piece of the
 // simplex v_0 < … < v_k is a staircase of midpoints (v_a, v_b): it begins with a = 0, b = i, and every step raises a, until
-// it is i, or b, until it is k. Its k steps, one bit each, are any of 2^k.
+// it is i, or b, until it is k. Its k steps, one bit each, are any of 2^k. Stairs rise in the lexicographic order of (a, b).
 
 namespace derham {
 namespace {
@@ -46,11 +47,31 @@ auto Refinement<n>::pieces(int k) -> std::vector<Midpoint> {
 
 template <int n>
   requires(1 <= n && n <= 4)
+void Refinement<n>::number_vertices() {
+  const auto& K = *coarse_;
+  require_fits(1, Offset{K.size(0)} + K.size(1));
+  std::vector<Index> edges(static_cast<std::size_t>(K.size(1)));
+  std::iota(edges.begin(), edges.end(), Index{0});
+  if constexpr (n == 1)  // top simplices are not in lexicographic order
+    std::ranges::sort(edges, std::ranges::lexicographical_compare, [&](Index e) { return K.template simplex<1>(e); });
+  auto edge = edges.begin();
+  midpoint_.resize(edges.size());
+  for (Index v = 0; v < K.size(0); ++v) {
+    vertex_.push_back(static_cast<Index>(ends_.size()));
+    ends_.push_back({v, v});
+    for (; edge != edges.end() && K.template simplex<1>(*edge)[0] == v; ++edge) {
+      midpoint_[static_cast<std::size_t>(*edge)] = static_cast<Index>(ends_.size());
+      ends_.push_back({v, K.template simplex<1>(*edge)[1]});
+    }
+  }
+}
+
+template <int n>
+  requires(1 <= n && n <= 4)
 SimplicialComplex<n> Refinement<n>::subdivided() const {
   const auto& K = *coarse_;
   constexpr Offset factor = 1 << n;
   require_fits(factor, K.size(n));
-  require_fits(1, Offset{K.size(0)} + K.size(1));
   std::vector<Index> tops(static_cast<std::size_t>(factor * K.size(n) * (n + 1)));
   parallel_blocks(K.size(n), 1 << 12, [&](Offset first, Offset last) {
     for (auto t = static_cast<Index>(first); t < last; ++t) {
@@ -58,7 +79,7 @@ SimplicialComplex<n> Refinement<n>::subdivided() const {
       auto out = tops.begin() + factor * t * (n + 1);
       for (const Midpoint& point : pieces_[n]) {
         const unsigned mask = 1U << point.low | 1U << point.high;
-        *out++ = point.low == point.high ? face[mask] : K.size(0) + face[mask];
+        *out++ = (point.low == point.high ? vertex_ : midpoint_)[static_cast<std::size_t>(face[mask])];
       }
       if (K.sign(n, t) < 0)
         for (auto end = out; end != out - factor * (n + 1); end -= n + 1) std::swap(end[-1], end[-2]);
@@ -79,6 +100,7 @@ template <int n>
   requires(1 <= n && n <= 4)
 Refinement<n>::Refinement(const SimplicialComplex<n>& K) : coarse_(&K) {
   for (int k = 0; k <= n; ++k) pieces_[static_cast<std::size_t>(k)] = pieces(k);
+  number_vertices();
   fine_ = subdivided();
 }
 
@@ -106,7 +128,7 @@ void Refinement<n>::append_pieces(std::span<const Index> alias, std::vector<Inde
   const auto& points = pieces_[alias.size() - 1];
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Index low = tuple[points[p].low], high = tuple[points[p].high];
-    out.push_back(low == high ? low : K.size(0) + K.find({low, high}).index);
+    out.push_back(low == high ? vertex(low) : midpoint_[static_cast<std::size_t>(K.find({low, high}).index)]);
     if (odd && p % alias.size() == alias.size() - 1) std::swap(out.end()[-1], out.end()[-2]);
   }
 }

@@ -12,11 +12,12 @@ namespace derham {
 
 /// The edgewise subdivision of a complex K: every k-simplex is cut into 2^k by the midpoints of its edges, n = 1 to 4. It
 /// needs no coordinates and no manifold; the order of the vertices decides between the diagonals, so that simplices cut a
-/// common face alike. In dimension 2 it is the red refinement; in flat simplices all pieces have the same volume, and
-/// repeated refinement gives finitely many shapes. K must outlive it.
+/// common face alike. In dimension 2 it is the red refinement. In flat simplices all pieces have the same volume, and
+/// those of repeated refinements at most n!/2 shapes. K must outlive it.
 ///
-/// Fine vertices are those of K and then the midpoints, in the order of the edges of K. The pieces of top simplex t are
-/// the fine top simplices 2^n t to 2^n t + 2^n - 1, oriented as t is.
+/// Fine vertices are numbered in the lexicographic order of their two ends, a vertex of K being its own ends: so that the
+/// order of the next refinement is that of this one, and what is near has near numbers. The pieces of top simplex t are the
+/// fine top simplices 2^n t to 2^n t + 2^n - 1, oriented as t is.
 /// Laws     the fine complex has the components, boundary, homology and orientability of K
 /// Cost     that of the construction of the fine complex
 /// Source   Freudenthal, "Simplizialzerlegungen von beschränkter Flachheit", 1942; Edelsbrunner & Grayson, "Edgewise
@@ -32,12 +33,14 @@ class Refinement {
   [[nodiscard]] const SimplicialComplex<n>& coarse() const noexcept { return *coarse_; }
   [[nodiscard]] const SimplicialComplex<n>& fine() const noexcept { return fine_; }
 
+  /// The fine vertex at a vertex of K.
+  [[nodiscard]] Index vertex(Index coarse_vertex) const noexcept {
+    return vertex_[static_cast<std::size_t>(coarse_vertex)];
+  }
+
   /// The coarse vertices whose midpoint a fine vertex is, increasing; twice the same one where it is a vertex of K.
   [[nodiscard]] std::array<Index, 2> ends(Index fine_vertex) const noexcept {
-    const Index vertices = coarse_->size(0);
-    if (fine_vertex < vertices) return {fine_vertex, fine_vertex};
-    const auto edge = coarse_->template simplex<1>(fine_vertex - vertices);
-    return {edge[0], edge[1]};
+    return ends_[static_cast<std::size_t>(fine_vertex)];
   }
 
   /// The smallest coarse simplex that contains fine k-simplex i: in its interior, that is.
@@ -54,10 +57,13 @@ class Refinement {
     std::uint8_t low = 0, high = 0;
   };
   [[nodiscard]] static std::vector<Midpoint> pieces(int k);
+  void number_vertices();
   [[nodiscard]] SimplicialComplex<n> subdivided() const;
 
   const SimplicialComplex<n>* coarse_;
   std::array<std::vector<Midpoint>, n + 1> pieces_;  // [k]: (2^k, k+1)
+  std::vector<Index> vertex_, midpoint_;             // (|V|,), (|E|,) fine vertices
+  std::vector<std::array<Index, 2>> ends_;           // (|V| + |E|,)
   SimplicialComplex<n> fine_;
 };
 

@@ -77,7 +77,8 @@ class SimplicialMap {
 /// Throws   InputError unless psi begins where phi ends
 template <int n, int m, int r>
 [[nodiscard]] SimplicialMap<n, r> composition(const SimplicialMap<m, r>& psi, const SimplicialMap<n, m>& phi) {
-  if (&phi.target() != &psi.source()) throw InputError("the first map ends in another complex than the second begins in");
+  if (&phi.target() != &psi.source())
+    throw InputError("the first map ends in another complex than the second begins in");
   std::vector<Index> images(phi.vertex_images().begin(), phi.vertex_images().end());
   for (Index& v : images) v = psi.vertex_images()[static_cast<std::size_t>(v)];
   return SimplicialMap<n, r>(phi.source(), psi.target(), std::move(images));

@@ -135,9 +135,9 @@ void apply_restriction(const Refinement<n>& refinement, int k, std::span<const d
   });
 }
 
-#define DERHAM_INSTANTIATE(n)                                                                                     \
-  template ProlongationRow prolongation_row(const Refinement<n>&, int, Index);                                    \
-  template void apply_prolongation(const Refinement<n>&, int, std::span<const double>, std::span<double>);        \
+#define DERHAM_INSTANTIATE(n)                                                                              \
+  template ProlongationRow prolongation_row(const Refinement<n>&, int, Index);                             \
+  template void apply_prolongation(const Refinement<n>&, int, std::span<const double>, std::span<double>); \
   template void apply_restriction(const Refinement<n>&, int, std::span<const double>, std::span<double>);
 DERHAM_INSTANTIATE(1)
 DERHAM_INSTANTIATE(2)

@@ -45,7 +45,8 @@ template <int k, int n>
     others += text(others.empty() ? "" : ", ", "'", part.name, "' (", part.number, ")");
   }
   if (found == nullptr)
-    throw InputError(text("no part of degree ", k, " is called '", name, "'; there are ", others.empty() ? "none" : others));
+    throw InputError(
+        text("no part of degree ", k, " is called '", name, "'; there are ", others.empty() ? "none" : others));
   return tagged_chain<k>(K, mesh, *found);
 }
 
