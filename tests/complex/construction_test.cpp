@@ -85,7 +85,7 @@ TYPED_TEST(Construction, HubsAtTheSeamsOfTheBitMatrix) {
 // One top simplex after the other at the same vertex: the orders and the stars at their seams.
 TYPED_TEST(Construction, StarsOfEverySize) {
   if constexpr (TypeParam::value == 2 || TypeParam::value == 3) {
-    for (const int size : {1, 2, 8, 9, 16, 17, 62, 63, 64, 83, 84, 85, 125, 126}) {
+    for (const int size : {1, 2, 8, 9, 16, 17, 32, 33, 62, 63, 64, 83, 84, 85, 125, 126, 127, 128}) {
       this->compare(1, [&](Random& random) {
         Rows rows;
         for (Index i = 0; i < size; ++i) {
@@ -107,6 +107,21 @@ TYPED_TEST(Construction, SeveralBlocksOfVertices) {
       for (int i = 0; i < 8000; ++i) {  // some near each other, some anywhere
         const int low = i % 2 == 0 ? 0 : support::uniform(random, 0, 4980);
         rows.push_back(support::subset(dimension + 1, low, i % 2 == 0 ? 5000 : low + 20, random));
+      }
+      return support::shuffled(rows, random);
+    });
+  }
+}
+
+// So many that the simplices of a block of vertices stand far from each other.
+TYPED_TEST(Construction, RowsInNoOrder) {
+  constexpr int dimension = TypeParam::value;
+  if constexpr (dimension == 2 || dimension == 3) {
+    this->compare(1, [](Random& random) {
+      Rows rows;
+      for (int i = 0; i < 25000; ++i) {
+        const int low = i / 2;
+        rows.push_back(support::subset(dimension + 1, low, low + 8, random));
       }
       return support::shuffled(rows, random);
     });

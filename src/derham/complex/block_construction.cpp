@@ -2,7 +2,7 @@
 // the one before it where its simplices begin in the lists, so that the links of a vertex are looked at once.
 #include "derham/complex/block_links.hpp"
 #include "derham/complex/construction.hpp"
-#include "derham/complex/find_value.hpp"
+#include "derham/complex/find_second.hpp"
 #include "derham/complex/validation.hpp"
 #include "derham/core/ordered_blocks.hpp"
 #include "derham/core/parallel.hpp"
@@ -19,10 +19,11 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-/// Writes what `links` found in `block` to its place in the lists and tables of K.
+/// Writes what `links` found in `block` to its place in the lists and tables of K. If the rows of its top simplices do not
+/// stand near each other, they are asked for ahead.
 template <int n>
 void ComplexBuilder<n>::write_block(SimplicialComplex<n>& K, const BlockLinks<n>& links, Index first_vertex,
-                                    const std::array<Index, 3>& first) {
+                                    const std::array<Index, 3>& first, bool local) {
   const auto [edge, triangle, top] = first;
   const auto write_ends = [&](int k, std::span<const Index> begin, Index base) {
     for (std::size_t v = 1; v < begin.size(); ++v) K.buckets_[at(k)][at(first_vertex) + v] = base + begin[v];
@@ -39,40 +40,49 @@ void ComplexBuilder<n>::write_block(SimplicialComplex<n>& K, const BlockLinks<n>
   if constexpr (n == 3) {
     write_ends(2, links.triangle_begin(), triangle);
     std::copy_n(links.triangles(), at(links.triangle_count()) * 3, K.simplices_[2].data() + at(triangle) * 3);
-    Index* faces = K.faces_[2].data() + at(triangle) * 3;
-    for (Index i = 0; i < 2 * links.triangle_count(); i += 2, faces += 3) {
-      faces[0] = edge + links.triangle_sides()[i];
-      faces[1] = edge + links.triangle_sides()[i + 1];
-    }
+    Index* const faces = K.faces_[2].data() + at(triangle) * 3;
+    const Index* const found = links.triangle_faces();
+    for (std::size_t i = 0, size = at(links.triangle_count()) * 3; i < size; ++i) faces[i] = edge + found[i];
   }
   const Index facet = n == 2 ? edge : triangle;
   const auto begins = links.tops(0), continues = links.tops(1);
-  const auto faces_of = [&](Index t) { return K.faces_[n].data() + at(t) * (n + 1); };
-  constexpr std::size_t ahead =
-      16;  // tops of a block lie anywhere in the table if their order is not that of the vertices
-  for (std::size_t i = 0; i < begins.size(); ++i) {
-    if (i + ahead < begins.size()) __builtin_prefetch(faces_of(begins[i + ahead]), 1);
-    for (std::size_t f = 0; f < n; ++f) faces_of(begins[i])[f] = facet + links.top_faces(0)[i * n + f];
-  }
-  for (std::size_t i = 0; i < continues.size(); ++i) {
-    if (i + ahead < continues.size()) __builtin_prefetch(faces_of(continues[i + ahead]), 1);
-    faces_of(continues[i])[n] = facet + links.top_faces(1)[i];
-  }
+  const auto faces_of = [table = K.faces_[n].data()](Index entry) {
+    return table + at(TopBlocks<n>::top_of(entry)) * (n + 1);
+  };
+  const auto for_each = [&](std::span<const Index> tops, auto&& body) {
+    constexpr std::size_t ahead = 16;
+    const std::size_t prefetched = local || tops.size() < ahead ? 0 : tops.size() - ahead;
+    std::size_t i = 0;
+    for (; i < prefetched; ++i) {
+      __builtin_prefetch(faces_of(tops[i + ahead]), 1);
+      body(i, faces_of(tops[i]));
+    }
+    for (; i < tops.size(); ++i) body(i, faces_of(tops[i]));
+  };
+  for_each(begins, [&, face = links.top_faces(0)](std::size_t i, Index* faces) {
+    for (std::size_t f = 0; f < n; ++f) faces[f] = facet + face[i * n + f];
+  });
+  for_each(continues, [&, face = links.top_faces(1)](std::size_t i, Index* faces) { faces[n] = facet + face[i]; });
 }
 
 /// The face of every triangle that omits its first vertex.
 template <int n>
+template <bool local>
 void ComplexBuilder<n>::find_last_sides(SimplicialComplex<n>& K, Index triangles) {
   constexpr Offset ahead = 32;
   const Index *const edges = K.simplices_[1].data(), *const triangle = K.simplices_[2].data();
   const Index* const bucket = K.buckets_[1].data();
   Index* const faces = K.faces_[2].data();
-  const auto edges_from = [&](Offset i) { return edges + at(bucket[triangle[3 * i + 1]]) * 2; };
   parallel_blocks(triangles, 1 << 14, [&](Offset first, Offset last) {
     for (Offset i = first; i < last; ++i) {
-      if (i + ahead < last) __builtin_prefetch(edges_from(i + ahead));
-      // Of the edges from v1 the one to v2: no id before it in the list is v2, as v1 < v2 and each edge is there once.
-      faces[3 * i + 2] = static_cast<Index>((find_value(edges_from(i), triangle[3 * i + 2]) - edges) / 2);
+      if (!local && i + ahead < last) {
+        const Index* const next = edges + at(bucket[triangle[3 * (i + ahead) + 1]]) * 2;
+        __builtin_prefetch(next);
+        __builtin_prefetch(next + 14);
+      }
+      // Of the edges from v1 the one to v2.
+      const Index begin = bucket[triangle[3 * i + 1]];
+      faces[3 * i + 2] = begin + find_second(edges + at(begin) * 2, triangle[3 * i + 2]);
     }
   });
 }
@@ -90,7 +100,7 @@ RowSigns ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const SimplexL
   for (int k = 1; k <= n; ++k) {
     K.buckets_[at(k)].assign(at(vertices) + 1, 0);
     const auto most = count * at(static_cast<Index>(binomial(n + 1, k + 1)));
-    if (k < n) K.simplices_[at(k)] = BulkArray<Index>(most * at(k + 1) + (k == 1 ? find_value_margin : 0));
+    if (k < n) K.simplices_[at(k)] = BulkArray<Index>(most * at(k + 1) + (k == 1 ? 2 * find_second_margin : 0));
     if (k == n || k == 2) K.faces_[at(k)] = BulkArray<Index>(most * at(k + 1));
   }
   K.top_order_ = BulkArray<Index>(count);
@@ -114,7 +124,7 @@ RowSigns ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const SimplexL
         }
       },
       [&](Work& work, Offset block) {
-        write_block(K, work.links, tops.first_vertex(static_cast<Index>(block)), work.first);
+        write_block(K, work.links, tops.first_vertex(static_cast<Index>(block)), work.first, tops.is_local());
         if (work.links.has_defect()) defect = true;
         if (!work.links.is_coherent()) coherent = false;
         const auto order = work.links.order();
@@ -131,8 +141,11 @@ RowSigns ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const SimplexL
 
   const auto [edges, triangles, found] = total;
   if constexpr (n == 3) {
-    std::fill_n(K.simplices_[1].begin() + edges * 2, find_value_margin, Index{-1});
-    find_last_sides(K, static_cast<Index>(triangles));
+    std::fill_n(K.simplices_[1].begin() + edges * 2, 2 * find_second_margin, Index{-1});
+    if (tops.is_local())
+      find_last_sides<true>(K, static_cast<Index>(triangles));
+    else
+      find_last_sides<false>(K, static_cast<Index>(triangles));
     K.simplices_[2].shrink(at(static_cast<Index>(triangles)) * 3);
     K.faces_[2].shrink(K.simplices_[2].size());
   }

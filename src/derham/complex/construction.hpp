@@ -36,7 +36,8 @@ class ComplexBuilder {
   static RowSigns build_blocks(SimplicialComplex<n>& K, const SimplexList& rows, Index vertices, Index vertex_count)
     requires(n == 2 || n == 3);
   static void write_block(SimplicialComplex<n>& K, const BlockLinks<n>& links, Index first_vertex,
-                          const std::array<Index, 3>& first);
+                          const std::array<Index, 3>& first, bool local);
+  template <bool local>
   static void find_last_sides(SimplicialComplex<n>& K, Index triangles);
 
   /// All rows of dimension n, whatever it is.

@@ -37,7 +37,8 @@ void SimplexList::push_back(std::span<const Index> row) {
 
 Index SimplexList::vertex_bound() const noexcept {
   if (vertices_.empty()) return 0;
-  const Index largest = *std::ranges::max_element(vertices_);
+  Index largest = vertices_[0];
+  for (const Index v : vertices_) largest = std::max(largest, v);  // unlike max_element, several at a time
   return largest == std::numeric_limits<Index>::max() ? largest : largest + 1;
 }
 
