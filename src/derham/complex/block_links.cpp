@@ -139,7 +139,7 @@ void BlockLinks<n>::make_room(Index vertices) {
 
 template <int n>
 auto BlockLinks<n>::stars(Index v) const -> Stars {
-  Stars stars;
+  Stars stars{};
   for (std::size_t p = 0; p < n; ++p)
     stars[p] = {groups_[p].begin[at(v)], groups_[p].begin[at(v) + 1] - groups_[p].begin[at(v)]};
   return stars;
@@ -178,7 +178,7 @@ void BlockLinks<n>::rank_neighbours() {
   Index* const neighbour = neighbours_.data() + edges_;
   std::uint8_t* const rank = rank_.data() + edges_;
   const auto place = counted_places<side>(neighbour, at(degree_));
-  std::array<Index, side> met;
+  std::array<Index, side> met{};
   std::copy_n(neighbour, side, met.begin());
   for (std::size_t i = 0; i < at(degree_); ++i) {
     neighbour[place[i]] = met[i];
@@ -218,7 +218,7 @@ void BlockLinks<n>::small_link(Index vertex, const Stars& stars) {
     coherent_ &= edges.are_coherent();
   } else {
     // The matrix, row after row, as a string of bits. The faces are the places of pairs in it, then their numbers.
-    std::array<std::uint64_t, std::size_t{side} * side / 64> matrix;
+    std::array<std::uint64_t, std::size_t{side} * side / 64> matrix{};
     FacetBits<matrix.size()> pairs;
     for (Index q = 0; q < count; ++q, face += 3) {
       const Index b = next() << bits, c = next(), d = next();

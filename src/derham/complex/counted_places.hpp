@@ -20,7 +20,7 @@ template <int capacity, class T>
     const Pack other = values[i] - Pack{};
     for (std::size_t j = 0; j < packs; ++j) smaller[j] -= value[j] > other;  // true is -1
   }
-  std::array<T, capacity> result;
+  std::array<T, capacity> result{};
   std::memcpy(result.data(), smaller, sizeof result);
   return result;
 }

@@ -31,7 +31,7 @@ Sign sort_tuple(Index* v) {
 // Four tuples of tetrahedra at once, beside each other; `odd` is -1 where an odd permutation sorted them, else 0.
 struct FourTuples {
   using Four [[gnu::vector_size(4 * sizeof(Index))]] = Index;
-  Four a, b, c, d, odd{};
+  Four a{}, b{}, c{}, d{}, odd{};
 
   explicit FourTuples(const Index* rows) {
     std::memcpy(&a, rows, sizeof a), std::memcpy(&b, rows + 4, sizeof b);
