@@ -1,17 +1,13 @@
 #include "derham/operators/whitney_map.hpp"
 
-#include "derham/geometry/naming.hpp"
-#include "derham/geometry/top_volumes.hpp"
+#include "derham/operators/not_flat.hpp"
 
 namespace derham {
 
 template <int n>
 WhitneyMap<n>::WhitneyMap(const SimplicialComplex<n>& K, const Geometry<n>& geometry)
     : complex_(&K), geometry_(&geometry) {
-  const auto flat = top_volumes(K, geometry).degenerate;
-  if (!flat.empty())
-    throw GeometryError(text("barycentric coordinates have no gradients on ", flat.size(), " flat top simplices: ",
-                             simplices_text<n>(K, n, flat), "; move their vertices or remove them"));
+  detail::require_not_flat(K, geometry);
 }
 
 template class WhitneyMap<0>;

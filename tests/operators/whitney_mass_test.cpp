@@ -1,0 +1,300 @@
+#include "derham/operators/whitney_mass.hpp"
+
+#include "derham/core/error.hpp"
+#include "derham/core/parallel.hpp"
+#include "derham/meshes/tori.hpp"
+#include "derham/operators/de_rham_map.hpp"
+#include "derham/operators/whitney_map.hpp"
+#include "operators/polynomial.hpp"
+#include "operators/spaces.hpp"
+
+#include <gtest/gtest.h>
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace derham {
+namespace {
+
+using test::for_each_degree;
+using test::for_each_space;
+using test::Space;
+using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+template <class T>
+struct WhitneyMass : testing::Test {};
+TYPED_TEST_SUITE(WhitneyMass, test::Dimensions);
+
+Material random_numbers(Index rows, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.5, 2);
+  Material material{.values = {}};
+  for (Index i = 0; i < rows; ++i) material.values.push_back(uniform(random));
+  return material;
+}
+
+/// Positive definite.
+Material random_tensors(Index rows, int width, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Material material{.values = {}, .width = width};
+  for (Index row = 0; row < rows; ++row) {
+    Eigen::MatrixXd root(width, width);
+    for (double& x : root.reshaped()) x = normal(random);
+    const Eigen::MatrixXd tensor = root * root.transpose() + Eigen::MatrixXd::Identity(width, width);
+    material.values.insert(material.values.end(), tensor.data(), tensor.data() + width * width);
+  }
+  return material;
+}
+
+/// The specification: ∫ ⟨W_σ, A W_τ⟩ by quadrature, simplex by simplex, every form evaluated by the Whitney map.
+template <int n, int k>
+Eigen::MatrixXd by_quadrature(const Space<n>& space, const Material& material) {
+  const int d = space.g.coordinate_dimension();
+  const WhitneyMap<n> W(space.K, space.g);
+  const auto rule = simplex_rule<n>(2);
+  const auto volume = primal_volumes(space.K, space.g)[n];
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(space.K.size(k), space.K.size(k));
+  for (Index t = 0; t < space.K.size(n); ++t) {
+    const auto index = face_indices(space.K, t);
+    std::vector<Index> faces;
+    for (unsigned mask = 1; mask <= full_mask<n>; ++mask)
+      if (mask_degree(mask) == k) faces.push_back(index[mask]);
+    const double* const A = material.of(t);
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      Eigen::MatrixXd value(binomial(d, k), static_cast<Eigen::Index>(faces.size()));
+      for (std::size_t a = 0; a < faces.size(); ++a) {
+        PrimalForm<n, k> basis(space.K);
+        basis[faces[a]] = 1;
+        auto x = W.at(basis, BarycentricPoint<n>{t, rule.points[q]});
+        if (material.width != 0 && k > 1) x = flux_vectors(x, d);
+        for (std::size_t c = 0; c < x.size(); ++c)
+          value(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(a)) = x[c];
+      }
+      Eigen::MatrixXd local;
+      if (material.width == 0) {
+        local = *A * value.transpose() * value;
+      } else {
+        local = value.transpose() * Eigen::Map<const Eigen::MatrixXd>(A, d, d) * value;
+      }
+      for (std::size_t a = 0; a < faces.size(); ++a)
+        for (std::size_t b = 0; b < faces.size(); ++b)
+          M(faces[a], faces[b]) += rule.weights[q] * volume[static_cast<std::size_t>(t)] *
+                                   local(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+    }
+  }
+  return M;
+}
+
+void expect_near(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double relative) {
+  ASSERT_EQ(a.rows(), b.rows());
+  EXPECT_LE((a - b).cwiseAbs().maxCoeff(), relative * b.cwiseAbs().maxCoeff());
+}
+
+TYPED_TEST(WhitneyMass, IsTheIntegralOfProductsOfWhitneyForms) {
+  constexpr int n = TypeParam::value;
+  const auto expect_agreement = [](const Space<n>& space) {
+    for_each_degree<n>([&]<int k>() {
+      if (space.K.size(k) > 600) return;
+      const auto numbers = random_numbers(space.K.size(n), 1);
+      expect_near(whitney_mass(space.K, space.g, k), (by_quadrature<n, k>(space, {})), 1e-12);
+      expect_near(whitney_mass(space.K, space.g, k, numbers), (by_quadrature<n, k>(space, numbers)), 1e-12);
+      const bool as_flux = k > 1 && space.g.coordinate_dimension() == n;
+      if (n >= 2 && (k == 1 || (k == n - 1 && as_flux))) {
+        const auto tensors = random_tensors(space.K.size(n), space.g.coordinate_dimension(), 2);
+        expect_near(whitney_mass(space.K, space.g, k, tensors), (by_quadrature<n, k>(space, tensors)), 1e-12);
+      }
+    });
+  };
+  if constexpr (n < 4) {
+    for_each_space<n>(expect_agreement);
+  } else {
+    const MeshData mesh = test::random_mesh<n>(1, 1);
+    const Space<n> flat(mesh);
+    expect_agreement(flat);
+    expect_agreement(Space<n>(test::moved(mesh, n + 1, 1, 1, 1)));
+    expect_agreement(Space<n>(mesh, squared_lengths(flat.K, flat.g)));
+  }
+}
+
+// cᵀ M c = ∫ ⟨c, A c⟩, with a boundary, without one, and for pieces of planes in space.
+TYPED_TEST(WhitneyMass, HasTheEnergyOfConstantForms) {
+  constexpr int n = TypeParam::value;
+  std::vector<Index> id;
+  const Space<n> box(test::random_mesh<n>(2)),
+      torus(test::shuffled(meshes::periodic_box(n, 3, {.jitter = 0.4 / n}), 1, id));
+  for (const Space<n>* space : {&box, &torus}) {
+    const DeRhamMap<n> R(space->K, space->g, 0);
+    for_each_degree<n>([&]<int k>() {
+      const auto form = test::random_form<k>(n, 0, 3);
+      const auto c = R.template components<k>(form);
+      double square = 0;
+      for (const double x : form(std::vector<double>(n))) square += x * x;
+      const Eigen::Map<const Eigen::VectorXd> values(c.values().data(), c.size());
+      EXPECT_NEAR(values.dot(whitney_mass(space->K, space->g, k) * values), square, 1e-12 * (1 + square));
+    });
+  }
+}
+
+TYPED_TEST(WhitneyMass, IsSymmetricBitForBitAndPositiveDefinite) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space(test::random_mesh<n>(3, n < 4 ? 2 : 1));
+  for_each_degree<n>([&]<int k>() {
+    const Sparse M = whitney_mass(space.K, space.g, k);
+    for (Eigen::Index row = 0; row < M.outerSize(); ++row) {
+      Eigen::Index before = -1;
+      for (Sparse::InnerIterator entry(M, row); entry; ++entry) {
+        EXPECT_GT(entry.col(), before);
+        before = entry.col();
+        EXPECT_EQ(entry.value(), M.coeff(entry.col(), row));
+      }
+    }
+    const Eigen::MatrixXd dense = M;
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense).eigenvalues()[0], 0);
+  });
+}
+
+TYPED_TEST(WhitneyMass, IsDiagonalInTheTopDegreeAndSumsToTheLumpedMassOfFunctions) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space(test::moved(test::random_mesh<n>(4), n + 1, 1, 1, 1));
+  const auto material = random_numbers(space.K.size(n), 5);
+  const Sparse top = whitney_mass(space.K, space.g, n, material);
+  const auto volume = primal_volumes(space.K, space.g)[n];
+  EXPECT_EQ(top.nonZeros(), space.K.size(n));
+  const auto lumped_top = lumped_mass(space.K, space.g, n, material);
+  for (Index t = 0; t < space.K.size(n); ++t) {
+    const double expected = *material.of(t) / volume[static_cast<std::size_t>(t)];
+    EXPECT_NEAR(top.coeff(t, t), expected, 1e-11 * expected);
+    EXPECT_NEAR(lumped_top[static_cast<std::size_t>(t)], expected, 1e-11 * expected);
+  }
+  const Sparse functions = whitney_mass(space.K, space.g, 0, material);
+  const auto lumped = lumped_mass(space.K, space.g, 0, material);
+  const Eigen::VectorXd sums = functions * Eigen::VectorXd::Ones(space.K.size(0));
+  for (Index v = 0; v < space.K.size(0); ++v) EXPECT_NEAR(sums[v], lumped[static_cast<std::size_t>(v)], 1e-14);
+}
+
+TYPED_TEST(WhitneyMass, DoesNotSeeIsometriesAndScalesWithLength) {
+  constexpr int n = TypeParam::value;
+  const MeshData mesh = test::random_mesh<n>(5);
+  const Space<n> a(mesh), b(test::moved(mesh, n + 2, 1, 1, 2)), c(test::moved(mesh, n, 1e-3, 0, 3)),
+      d(mesh, squared_lengths(a.K, a.g));
+  for_each_degree<n>([&]<int k>() {
+    const Sparse M = whitney_mass(a.K, a.g, k);
+    expect_near(whitney_mass(b.K, b.g, k), M, 1e-11);
+    expect_near(whitney_mass(c.K, c.g, k) * std::pow(1e-3, 2 * k - n), M, 1e-11);
+    expect_near(whitney_mass(d.K, d.g, k), M, 1e-11);
+  });
+}
+
+TYPED_TEST(WhitneyMass, FollowsTheLabelsOfVertices) {
+  constexpr int n = TypeParam::value;
+  const MeshData mesh = meshes::box(n, n < 4 ? 2 : 1, {.jitter = 0.5 / n});
+  std::vector<Index> id;
+  const MeshData other = test::shuffled(mesh, 7, id);
+  const Space<n> a(mesh), b(other);
+  for_each_degree<n>([&]<int k>() {
+    const Sparse A = whitney_mass(a.K, a.g, k), B = whitney_mass(b.K, b.g, k);
+    ASSERT_EQ(A.nonZeros(), B.nonZeros());
+    std::vector<SignedIndex> place;
+    for (Index i = 0; i < a.K.size(k); ++i) {
+      std::vector<Index> alias;
+      for (const Index v : a.K.simplex(k, i)) alias.push_back(id[static_cast<std::size_t>(v)]);
+      place.push_back(b.K.at(alias));
+    }
+    for (Eigen::Index row = 0; row < A.outerSize(); ++row)
+      for (Sparse::InnerIterator entry(A, row); entry; ++entry) {
+        const auto i = place[static_cast<std::size_t>(row)], j = place[static_cast<std::size_t>(entry.col())];
+        EXPECT_NEAR(i.sign * j.sign * B.coeff(i.index, j.index), entry.value(), 1e-11 * A.coeff(row, row));
+      }
+  });
+}
+
+TYPED_TEST(WhitneyMass, TakesMaterialsByTag) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space(test::random_mesh<n>(6, n < 4 ? 2 : 1));
+  Material tagged{.values = {2, 5}, .row_of = {}}, spread{.values = {}};
+  for (Index t = 0; t < space.K.size(n); ++t) {
+    tagged.row_of.push_back(t % 2);
+    spread.values.push_back(t % 2 == 0 ? 2 : 5);
+  }
+  for_each_degree<n>([&]<int k>() {
+    const Eigen::MatrixXd one = whitney_mass(space.K, space.g, k);
+    EXPECT_EQ(Eigen::MatrixXd(whitney_mass(space.K, space.g, k, tagged)),
+              Eigen::MatrixXd(whitney_mass(space.K, space.g, k, spread)));
+    expect_near(whitney_mass(space.K, space.g, k, Material{.values = {3}}), 3 * one, 1e-15);
+  });
+}
+
+// The identity as a tensor is the number 1, in every reading, on surfaces in space, too.
+TEST(WhitneyMass, OfTheIdentityTensorIsThatOfOne) {
+  const Space<2> torus(meshes::torus(7, 5));
+  const Space<3> box(test::random_mesh<3>(1)), raised(test::moved(test::random_mesh<3>(1), 5, 1, 1, 1));
+  const auto identity = [](int width) {
+    Material material{.values = std::vector<double>(static_cast<std::size_t>(width * width)), .width = width};
+    for (int i = 0; i < width; ++i) material.values[static_cast<std::size_t>(i * width + i)] = 1;
+    return material;
+  };
+  expect_near(whitney_mass(torus.K, torus.g, 1, identity(3)), whitney_mass(torus.K, torus.g, 1), 1e-13);
+  for (const int k : {1, 2}) {
+    expect_near(whitney_mass(box.K, box.g, k, identity(3)), whitney_mass(box.K, box.g, k), 1e-13);
+    expect_near(whitney_mass(raised.K, raised.g, k, identity(5)), whitney_mass(raised.K, raised.g, k), 1e-13);
+  }
+}
+
+TEST(WhitneyMass, HasTheSameBitsOnAnyNumberOfThreads) {
+  const Space<3> space(meshes::box(3, 9, {.jitter = 0.2}));
+  const int before = thread_count();
+  for (int k = 0; k <= 3; ++k) {
+    set_thread_count(1);
+    const Sparse expected = whitney_mass(space.K, space.g, k);
+    for (const int threads : {2, 4}) {
+      set_thread_count(threads);
+      const Sparse M = whitney_mass(space.K, space.g, k);
+      ASSERT_EQ(M.nonZeros(), expected.nonZeros());
+      EXPECT_TRUE(std::equal(M.valuePtr(), M.valuePtr() + M.nonZeros(), expected.valuePtr()));
+      EXPECT_TRUE(std::equal(M.innerIndexPtr(), M.innerIndexPtr() + M.nonZeros(), expected.innerIndexPtr()));
+    }
+  }
+  set_thread_count(before);
+}
+
+// One triangle of legs 1, by hand.
+TEST(WhitneyMass, KnowsTheRightTriangle) {
+  const Space<2> space(test::single({0, 0, 1, 0, 0, 1}, 2));
+  Eigen::Matrix3d functions, edges;
+  functions << 2, 1, 1, 1, 2, 1, 1, 1, 2;
+  edges << 4, 2, 0, 2, 4, 0, 0, 0, 2;  // of (0, 1), (0, 2), (1, 2)
+  expect_near(whitney_mass(space.K, space.g, 0), functions / 24, 1e-15);
+  expect_near(whitney_mass(space.K, space.g, 1), edges / 12, 1e-15);
+  expect_near(whitney_mass(space.K, space.g, 2), Eigen::MatrixXd::Constant(1, 1, 2), 1e-15);
+}
+
+TEST(WhitneyMass, RefusesWhatDoesNotFit) {
+  const Space<3> space(meshes::box(3, 1));
+  const auto mass = [&](int k, const Material& material) { return whitney_mass(space.K, space.g, k, material); };
+  EXPECT_THROW((void)mass(-1, {}), InputError);
+  EXPECT_THROW((void)mass(4, {}), InputError);
+  EXPECT_THROW((void)mass(0, {.values = {1, 2}}), InputError);
+  EXPECT_THROW((void)mass(0, {.values = {}}), InputError);
+  EXPECT_THROW((void)mass(0, {.values = {1, 2}, .row_of = {0, 1, 0, 1, 0, 2}}), InputError);
+  EXPECT_THROW((void)mass(0, {.values = {std::nan("")}}), InputError);
+  EXPECT_THROW((void)mass(1, {.values = {1, 0, 0, 1}, .width = 2}), InputError);
+  EXPECT_THROW((void)mass(1, {.values = {1, 0.1, 0, 0, 1, 0, 0, 0, 1}, .width = 3}), InputError);
+  EXPECT_THROW((void)mass(0, random_tensors(6, 3, 1)), InputError);
+  EXPECT_NO_THROW((void)mass(2, random_tensors(6, 3, 1)));
+  EXPECT_THROW((void)lumped_mass(space.K, space.g, 1), InputError);
+  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}});
+  try {
+    (void)whitney_mass(K, Geometry<2>::from_points(K, {0, 0, 1, 1, 2, 2}, 2), 1);
+    FAIL();
+  } catch (const GeometryError& error) {
+    EXPECT_NE(std::string(error.what()).find("(0, 1, 2)"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW((void)whitney_mass(K, Geometry<2>::from_points(K, {0, 0, 1e200, 0, 0, 1e200}, 2), 0), GeometryError);
+}
+
+}  // namespace
+}  // namespace derham
