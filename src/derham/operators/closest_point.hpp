@@ -1,6 +1,6 @@
 #pragma once
 
-#include "derham/geometry/local_faces.hpp"
+#include "derham/complex/local_faces.hpp"
 
 #include <array>
 #include <cstddef>

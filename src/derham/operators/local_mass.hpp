@@ -1,6 +1,6 @@
 #pragma once
 
-#include "derham/geometry/local_faces.hpp"
+#include "derham/complex/local_faces.hpp"
 #include "derham/operators/minors.hpp"
 #include "derham/operators/simplex_frame.hpp"
 #include "derham/operators/whitney_simplex.hpp"

@@ -1,12 +1,12 @@
 #include "derham/operators/whitney_mass.hpp"
 
 #include "derham/complex/incidence.hpp"
+#include "derham/complex/local_faces.hpp"
 #include "derham/core/bulk_array.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/parallel.hpp"
 #include "derham/core/scratch_pool.hpp"
 #include "derham/core/text.hpp"
-#include "derham/geometry/local_faces.hpp"
 #include "derham/geometry/naming.hpp"
 #include "derham/operators/local_mass.hpp"
 #include "derham/operators/not_flat.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "derham/complex/local_faces.hpp"
 #include "derham/forms/form.hpp"
 #include "derham/geometry/geometry.hpp"
-#include "derham/geometry/local_faces.hpp"
 #include "derham/operators/minors.hpp"
 #include "derham/operators/simplex_frame.hpp"
 
