@@ -25,8 +25,7 @@ void expect_equal_pieces(const MeshData& mesh, double total) {
   EXPECT_EQ(L.orientation().sign, refinement.fine().orientation().sign);
   const auto fine_geometry = Geometry<n>::from_mesh(L, fine);
   const auto volumes = primal_volumes(K, geometry)[n], pieces = primal_volumes(L, fine_geometry)[n];
-  for (std::size_t t = 0; t < pieces.size(); ++t)
-    EXPECT_NEAR(pieces[t] * (1 << n), volumes[t >> n], 1e-13 * total);
+  for (std::size_t t = 0; t < pieces.size(); ++t) EXPECT_NEAR(pieces[t] * (1 << n), volumes[t >> n], 1e-13 * total);
   EXPECT_NEAR(total_volume(L, fine_geometry), total, 1e-12 * total);
   if (fine_geometry.has_signed_volume()) {
     SimplicialComplex<n> by_volume(fine.simplices, fine.vertex_count);
@@ -84,7 +83,8 @@ TEST(RefinedMesh, CarriesPartsAndFields) {
   for (Offset i = 0; i < 2; ++i) {
     const auto edge = fine.lower[1][i];
     EXPECT_EQ(fine.points[static_cast<std::size_t>(2 * edge[0])], 1) << "still the side x = 1";
-    EXPECT_GT(fine.points[static_cast<std::size_t>(2 * edge[0] + 1)], fine.points[static_cast<std::size_t>(2 * edge[1] + 1)])
+    EXPECT_GT(fine.points[static_cast<std::size_t>(2 * edge[0] + 1)],
+              fine.points[static_cast<std::size_t>(2 * edge[1] + 1)])
         << "oriented downwards, as it was";
   }
   for (std::size_t v = 0; v < fine.fields[0].values.size(); ++v)
@@ -107,7 +107,8 @@ TEST(RefinedMesh, HasFewShapes) {
   const auto lengths = meshes::squared_edge_lengths(mesh);
   std::vector<std::vector<double>> shapes;
   for (std::size_t row = 0; row < 512; ++row) {
-    std::vector<double> shape(lengths.begin() + static_cast<int>(row) * 6, lengths.begin() + static_cast<int>(row) * 6 + 6);
+    std::vector<double> shape(lengths.begin() + static_cast<int>(row) * 6,
+                              lengths.begin() + static_cast<int>(row) * 6 + 6);
     std::ranges::sort(shape);
     const bool known = std::ranges::any_of(shapes, [&](const auto& other) {
       return std::ranges::equal(shape, other, [](double a, double b) { return std::abs(a - b) < 1e-12; });

@@ -19,8 +19,9 @@ std::vector<double> at_midpoints(const Refinement<n>& refinement, std::span<cons
   for (Index v = 0; v < vertices; ++v) {
     const auto [low, high] = refinement.ends(v);
     for (std::size_t c = 0; c < width; ++c)
-      result[index(v) * width + c] = low == high ? values[index(low) * width + c]
-                                                 : (values[index(low) * width + c] + values[index(high) * width + c]) / 2;
+      result[index(v) * width + c] = low == high
+                                         ? values[index(low) * width + c]
+                                         : (values[index(low) * width + c] + values[index(high) * width + c]) / 2;
   }
   return result;
 }
@@ -36,7 +37,8 @@ std::vector<Index> oriented_tops(const SimplicialComplex<n>& K) {
 
 /// Corners of the pieces of every row, from the corners of the row.
 template <int n>
-std::vector<double> refined_corners(const MeshData& mesh, const Refinement<n>& refinement, const SimplexList& fine_rows) {
+std::vector<double> refined_corners(const MeshData& mesh, const Refinement<n>& refinement,
+                                    const SimplexList& fine_rows) {
   const auto m = index(mesh.ambient_dimension);
   std::vector<double> corners;
   corners.reserve(index(fine_rows.size()) * (n + 1) * m);
@@ -49,7 +51,8 @@ std::vector<double> refined_corners(const MeshData& mesh, const Refinement<n>& r
     for (const Index v : fine_rows[fine]) {
       const auto ends = refinement.ends(v);
       const double *const low = corner(ends[0]), *const high = corner(ends[1]);
-      for (std::size_t axis = 0; axis < m; ++axis) corners.push_back(low == high ? low[axis] : (low[axis] + high[axis]) / 2);
+      for (std::size_t axis = 0; axis < m; ++axis)
+        corners.push_back(low == high ? low[axis] : (low[axis] + high[axis]) / 2);
     }
   }
   return corners;

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "derham/core/types.hpp"
+
+#include <Eigen/SparseCore>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+
+namespace derham {
+
+/// A sparse matrix by rows.
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+namespace detail {
+
+/// What an Operator does to values, whatever they belong to.
+class LinearMap {
+ public:
+  LinearMap(Index columns, Index rows) : columns_(columns), rows_(rows) {}
+  LinearMap(const LinearMap&) = delete;
+  LinearMap& operator=(const LinearMap&) = delete;
+  virtual ~LinearMap() = default;
+
+  [[nodiscard]] Index columns() const noexcept { return columns_; }
+  [[nodiscard]] Index rows() const noexcept { return rows_; }
+
+  /// y = A x, y overwritten.
+  virtual void apply(std::span<const double> x, std::span<double> y) const = 0;
+
+  /// Assembled at the first call, and kept.
+  [[nodiscard]] const SparseMatrix& matrix() const {
+    std::call_once(assembled_, [this] { matrix_ = assemble(); });
+    return matrix_;
+  }
+
+ private:
+  [[nodiscard]] virtual SparseMatrix assemble() const = 0;
+
+  Index columns_, rows_;
+  mutable std::once_flag assembled_;
+  mutable SparseMatrix matrix_;
+};
+
+using LinearMapPtr = std::shared_ptr<const LinearMap>;
+
+/// Without `assemble` its matrix is `fed_with_identity`.
+[[nodiscard]] LinearMapPtr linear_map(Index columns, Index rows,
+                                      std::function<void(std::span<const double>, std::span<double>)> apply,
+                                      std::function<SparseMatrix()> assemble);
+[[nodiscard]] LinearMapPtr identity_map(Index size);
+/// B A.
+[[nodiscard]] LinearMapPtr product(LinearMapPtr B, LinearMapPtr A);
+/// A + factor B.
+[[nodiscard]] LinearMapPtr sum(LinearMapPtr A, double factor, LinearMapPtr B);
+[[nodiscard]] LinearMapPtr multiple(double factor, LinearMapPtr A);
+/// A, applied by its matrix.
+[[nodiscard]] LinearMapPtr by_matrix(LinearMapPtr A);
+
+/// The matrix whose columns are A e_0, A e_1, …; entries that are zero are left out.
+/// Cost     as many applications as columns
+[[nodiscard]] SparseMatrix fed_with_identity(const LinearMap& A);
+
+}  // namespace detail
+}  // namespace derham
