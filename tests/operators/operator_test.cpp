@@ -127,7 +127,8 @@ TYPED_TEST(Operators, GiveTheSameBitsOnAnyNumberOfThreads) {
   orient_by_volume(K, Geometry<n>::from_mesh(K, mesh));
   const HodgeStar<n> star(K, Geometry<n>::from_mesh(K, mesh));
   const Derivative<n> d(K);
-  const Operator<PrimalForm<n, 0>, PrimalForm<n, 0>> A = 0.1 * (star * d * star * d) - 2 * identity<PrimalForm<n, 0>>(K);
+  const Operator<PrimalForm<n, 0>, PrimalForm<n, 0>> A =
+      0.1 * (star * d * star * d) - 2 * identity<PrimalForm<n, 0>>(K);
   const auto B = A.assembled();
   const auto u = random_form<n, 0>(K, 1);
   const int before = thread_count();

@@ -1,11 +1,32 @@
 #pragma once
 
+#include "derham/boundary/matrix_free.hpp"
 #include "derham/complex/simplicial_map.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/parallel.hpp"
 #include "derham/forms/form.hpp"
 
+#include <algorithm>
+#include <span>
+
 namespace derham {
+
+/// y = φ* x for k-forms whose degree is known at run time only: see `pullback`.
+/// Shape    x (|L_k|,), y (|K_k|,)
+/// Cost     as there
+/// Throws   InputError unless 0 <= k <= n and m, or on a wrong length
+template <int n, int m>
+void apply_pullback(const SimplicialMap<n, m>& phi, int k, std::span<const double> x, std::span<double> y) {
+  detail::require_degree(n, k, 0, std::min(n, m));
+  detail::require_shape("x", x.size(), phi.target().size(k), 1);
+  detail::require_shape("y", y.size(), phi.source().size(k), 1);
+  parallel_blocks(phi.source().size(k), 1 << 12, [&](Offset first, Offset last) {
+    for (auto i = static_cast<Index>(first); i < last; ++i) {
+      const SignedIndex image = phi.image(k, i);
+      y[static_cast<std::size_t>(i)] = image ? image.sign * x[static_cast<std::size_t>(image.index)] : 0;
+    }
+  });
+}
 
 /// φ*w, the form on K whose value on a simplex is that of w on its image; 0 where the simplex is collapsed.
 ///
@@ -20,10 +41,7 @@ template <int n, int m, int k>
 [[nodiscard]] PrimalForm<n, k> pullback(const SimplicialMap<n, m>& phi, const PrimalForm<m, k>& w) {
   if (&w.complex() != &phi.target()) throw InputError("the form and the map belong to different complexes");
   PrimalForm<n, k> result(phi.source());
-  parallel_blocks(result.size(), 1 << 12, [&](Offset first, Offset last) {
-    for (auto i = static_cast<Index>(first); i < last; ++i)
-      if (const SignedIndex image = phi.image(k, i)) result[i] = image.sign * w[image.index];
-  });
+  apply_pullback(phi, k, w.values(), result.values());
   return result;
 }
 

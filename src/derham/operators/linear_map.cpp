@@ -43,8 +43,7 @@ class Identity final : public LinearMap {
 
 class Product final : public LinearMap {
  public:
-  Product(LinearMapPtr B, LinearMapPtr A)
-      : LinearMap(A->columns(), B->rows()), B_(std::move(B)), A_(std::move(A)) {}
+  Product(LinearMapPtr B, LinearMapPtr A) : LinearMap(A->columns(), B->rows()), B_(std::move(B)), A_(std::move(A)) {}
   void apply(Values x, Result y) const override {
     std::vector<double> between(size(A_->rows()));
     A_->apply(x, between);
@@ -65,7 +64,8 @@ class Sum final : public LinearMap {
     std::vector<double> other(y.size());
     B_->apply(x, other);
     parallel_blocks(rows(), grain, [&](Offset first, Offset last) {
-      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) y[i] += factor_ * other[i];
+      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+        y[i] += factor_ * other[i];
     });
   }
 
@@ -99,7 +99,8 @@ class ByMatrix final : public LinearMap {
     parallel_blocks(rows(), grain, [&](Offset first, Offset last) {
       for (Offset i = first; i < last; ++i) {
         double sum = 0;
-        for (SparseMatrix::InnerIterator entry(M, i); entry; ++entry) sum += entry.value() * x[static_cast<std::size_t>(entry.col())];
+        for (SparseMatrix::InnerIterator entry(M, i); entry; ++entry)
+          sum += entry.value() * x[static_cast<std::size_t>(entry.col())];
         y[static_cast<std::size_t>(i)] = sum;
       }
     });
