@@ -1,0 +1,111 @@
+#include "derham/operators/star_report.hpp"
+
+#include "derham/core/error.hpp"
+#include "derham/meshes/balls.hpp"
+#include "derham/meshes/lattices.hpp"
+#include "derham/operators/whitney_mass.hpp"
+#include "operators/spaces.hpp"
+
+#include <gtest/gtest.h>
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace derham {
+namespace {
+
+using test::Space;
+
+template <class T>
+struct StarReports : testing::Test {};
+TYPED_TEST_SUITE(StarReports, test::Dimensions);
+
+TYPED_TEST(StarReports, WellCenteredLatticesHaveNothingAgainstEitherStar) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space(meshes::a_star_lattice(n, 3));
+  const HodgeStar<n> star(space.K, space.g);
+  for (int k = 0; k <= n; ++k) {
+    const auto diagonal = star_report(star, space.g, k);
+    EXPECT_EQ(diagonal.definiteness, Definiteness::positive);
+    EXPECT_TRUE(diagonal.zero.empty() && diagonal.negative.empty() && diagonal.advice.empty());
+    EXPECT_EQ(diagonal.smallest, std::ranges::min(star.diagonal(k)));
+    EXPECT_EQ(diagonal.condition, std::ranges::max(star.diagonal(k)) / std::ranges::min(star.diagonal(k)));
+    EXPECT_LT(diagonal.constant_error, 1e-12) << "no boundary: exact";
+    const auto whitney = star_report(whitney_mass(space.K, space.g, k), space.K, space.g, k);
+    EXPECT_EQ(whitney.definiteness, Definiteness::positive);
+    EXPECT_LT(whitney.constant_error, 1e-12);
+    EXPECT_TRUE(whitney.advice.empty());
+  }
+}
+
+// From below, and sharp on a small mesh.
+TYPED_TEST(StarReports, TheConditionOfTheWhitneyMassIsThatOfItsEigenvalues) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space(test::random_mesh<n>(1, n < 3 ? 3 : 1));
+  for (int k = 0; k <= n; ++k) {
+    const auto M = whitney_mass(space.K, space.g, k);
+    const Eigen::MatrixXd dense = M;
+    const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense).eigenvalues();
+    const double condition = values[values.size() - 1] / values[0];
+    const auto report = star_report(M, space.K, space.g, k);
+    EXPECT_LE(report.condition, condition * (1 + 1e-9));
+    EXPECT_GE(report.condition, condition * 0.8);
+  }
+}
+
+TEST(StarReports, NameZeroAndNegativeEntriesAndWhatToUseInstead) {
+  const Space<3> kuhn(meshes::box(3, 4));
+  const auto edges = star_report(HodgeStar<3>(kuhn.K, kuhn.g), kuhn.g, 1);
+  EXPECT_EQ(edges.definiteness, Definiteness::not_positive);
+  EXPECT_EQ(edges.zero.size(), 304U);
+  EXPECT_TRUE(edges.negative.empty());
+  EXPECT_TRUE(std::isinf(edges.condition));
+  EXPECT_NE(edges.advice.find("304 dual volumes are zero"), std::string::npos) << edges.advice;
+  EXPECT_NE(edges.advice.find("whitney_mass"), std::string::npos);
+  const Space<2> kite(test::single({0, 0, 1, 0, 0.5, 0.1}, 2));
+  const auto obtuse = star_report(HodgeStar<2>(kite.K, kite.g), kite.g, 1);
+  EXPECT_EQ(obtuse.negative, (std::vector<Index>{0}));
+  EXPECT_NE(obtuse.advice.find("1-simplex 0 = (0, 1)"), std::string::npos) << obtuse.advice;
+  EXPECT_EQ(star_report(whitney_mass(kite.K, kite.g, 1), kite.K, kite.g, 1).definiteness, Definiteness::positive);
+}
+
+// The boundary of a solid: exact in the plane, not in space.
+TEST(StarReports, MeasureConstantForms) {
+  const Space<2> plane(meshes::box(2, 3, {.jitter = 0.2}));
+  EXPECT_LT(star_report(HodgeStar<2>(plane.K, plane.g), plane.g, 1).constant_error, 1e-12);
+  MeshData ball = meshes::ball(3, 2);
+  for (std::size_t i = 0; i < ball.points.size(); i += 3) ball.points[i] += 0.5 * ball.points[i + 1];
+  const Space<3> space(ball);
+  EXPECT_GT(star_report(HodgeStar<3>(space.K, space.g), space.g, 1).constant_error, 1e-3);
+  EXPECT_LT(star_report(whitney_mass(space.K, space.g, 1), space.K, space.g, 1).constant_error, 1e-12);
+  const Space<2> raised(test::moved(meshes::box(2, 2), 3, 1, 1, 1));
+  EXPECT_TRUE(std::isnan(star_report(HodgeStar<2>(raised.K, raised.g), raised.g, 1).constant_error));
+}
+
+TEST(StarReports, DoNotCallIndefiniteMaterialsPositive) {
+  const Space<2> space(meshes::box(2, 2));
+  Material material{.values = std::vector<double>(8, 1.0)};
+  material.values[3] = -50;
+  const auto indefinite = star_report(whitney_mass(space.K, space.g, 1, material), space.K, space.g, 1, material);
+  EXPECT_EQ(indefinite.definiteness, Definiteness::not_positive);
+  EXPECT_FALSE(indefinite.advice.empty());
+  material.values[3] = 0;
+  const auto unknown = star_report(whitney_mass(space.K, space.g, 0, material), space.K, space.g, 0, material);
+  EXPECT_NE(unknown.definiteness, Definiteness::positive);
+  const Material tensor{.values = {1, 0, 0, -1}, .width = 2};
+  EXPECT_NE(star_report(whitney_mass(space.K, space.g, 1, tensor), space.K, space.g, 1, tensor).definiteness,
+            Definiteness::positive);
+}
+
+TEST(StarReports, RefuseWhatDoesNotFit) {
+  const Space<2> space(meshes::box(2, 2)), other(meshes::box(2, 3));
+  const HodgeStar<2> star(space.K, space.g);
+  EXPECT_THROW((void)star_report(star, space.g, 3), InputError);
+  EXPECT_THROW((void)star_report(star, other.g, 1), InputError);
+  EXPECT_THROW((void)star_report(whitney_mass(space.K, space.g, 1), space.K, space.g, 0), InputError);
+}
+
+}  // namespace
+}  // namespace derham
