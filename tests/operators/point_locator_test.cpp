@@ -187,6 +187,21 @@ TYPED_TEST(Locator, FindsTheNearestPointInSpacesOfMoreDimensions) {
   }
 }
 
+// Every simplex counts where its own corners are.
+TYPED_TEST(Locator, FindsPointsOfPeriodicMeshes) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space(meshes::periodic_box(n, 3, {.jitter = 0.3 / n}));
+  const PointLocator<n> locator(space.K, space.g);
+  BarycentricPoint<n> center;
+  center.barycentric.fill(1.0 / (n + 1));
+  for (center.simplex = 0; center.simplex < space.K.size(n); ++center.simplex) {
+    const auto x = position(space, center);
+    const auto found = locator.locate(x);
+    EXPECT_EQ(found.simplex, center.simplex);
+    EXPECT_LT(distance(position(space, found), x), 1e-14);
+  }
+}
+
 TYPED_TEST(Locator, InterpolatesAtPoints) {
   constexpr int n = TypeParam::value;
   const Space<n> space(test::random_mesh<n>(5));
