@@ -6,6 +6,7 @@
 #include "bench/support/yardsticks.hpp"
 #include "derham/forms/wedge.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -14,8 +15,9 @@ namespace {
 
 using Vector = std::vector<double>;
 
-/// Bytes of the face tables between the degree of the product and the lower one of the factors.
+/// Bytes of the tuples, which hold the vertices, or of the face tables down to the lower degree of the factors.
 Offset bytes_of_tables(const SimplicialComplex<3>& K, int p, int q) {
+  if (p * q == 0) return static_cast<Offset>(K.simplices(p + q).size_bytes());
   Offset bytes = 0;
   for (int k = p + q; k > std::min(p, q); --k) bytes += static_cast<Offset>(K.face_table(k).size_bytes());
   return bytes;
