@@ -33,9 +33,7 @@ template <int k, int n, int m>
   requires(k <= n && k <= m)
 [[nodiscard]] Operator<PrimalForm<m, k>, PrimalForm<n, k>> pullback_operator(const SimplicialMap<n, m>& phi) {
   const auto* const map = &phi;
-  const auto apply = [map](std::span<const double> x, std::span<double> y) {
-    apply_pullback(*map, k, x, y);
-  };
+  const auto apply = [map](std::span<const double> x, std::span<double> y) { apply_pullback(*map, k, x, y); };
   const auto assemble = [map] {
     return detail::matrix_of_rows(map->source().size(k), map->target().size(k), [map](Index i, auto&& add) {
       if (const SignedIndex image = map->image(k, i)) add(image.index, image.sign);
