@@ -261,6 +261,17 @@ TEST(WhitneyMass, HasTheSameBitsOnAnyNumberOfThreads) {
   set_thread_count(before);
 }
 
+// No sign of a top simplex enters.
+TEST(WhitneyMass, NeedsNoOrientation) {
+  const SimplicialComplex<2> moebius(SimplexList{{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}});
+  const auto g = Geometry<2>::from_squared_lengths(moebius, std::vector<double>(10, 1.0));
+  ASSERT_FALSE(moebius.is_orientable());
+  for (int k = 0; k <= 2; ++k) {
+    const Eigen::MatrixXd M = whitney_mass(moebius, g, k);
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()[0], 0);
+  }
+}
+
 // One triangle of legs 1, by hand.
 TEST(WhitneyMass, KnowsTheRightTriangle) {
   const Space<2> space(test::single({0, 0, 1, 0, 0, 1}, 2));
