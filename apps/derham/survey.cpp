@@ -74,8 +74,7 @@ void fill_metric(Survey& s, const LoadedMesh& loaded, SimplicialComplex<n>& K, C
     return;
   }
   timed(s, console, "dual volumes", [&] {
-    const CircumcentricDual<n> dual = circumcentric_dual(K, *geometry);
-    const DualReport report = dual_report(K, dual);
+    const auto [dual, report] = judged_dual(K, *geometry);
     s.delaunay = report.pairwise_delaunay;
     s.one_sided = report.one_sided;
     s.well_centered = report.well_centered;

@@ -86,6 +86,20 @@ std::vector<std::uint64_t> bits(const std::vector<double>& values) {
   return result;
 }
 
+void expect_same(const DualReport& a, const DualReport& b) {
+  EXPECT_EQ(a.pairwise_delaunay, b.pairwise_delaunay);
+  EXPECT_EQ(a.one_sided, b.one_sided);
+  EXPECT_EQ(a.well_centered, b.well_centered);
+  EXPECT_EQ(a.degenerate, b.degenerate);
+  ASSERT_EQ(a.star.size(), b.star.size());
+  for (std::size_t k = 0; k < a.star.size(); ++k) {
+    EXPECT_EQ(bits({a.star[k].min}), bits({b.star[k].min}));
+    EXPECT_EQ(a.star[k].zero, b.star[k].zero);
+    EXPECT_EQ(a.star[k].negative, b.star[k].negative);
+    EXPECT_EQ(a.star[k].undefined, b.star[k].undefined);
+  }
+}
+
 class DualThreads : public testing::Test {
  protected:
   void TearDown() override { set_thread_count(before_); }
@@ -106,6 +120,7 @@ void expect_same_for_any_number_of_threads(MeshData mesh) {
   const auto volumes = signed_volumes(K, g);
   const auto report = quality(K, g);
   const auto primal = primal_volumes(K, g);
+  const auto verdicts = judged_dual(K, g).report;
   for (const int threads : {2, 4}) {
     set_thread_count(threads);
     const auto other = circumcentric_dual(K, g);
@@ -116,6 +131,8 @@ void expect_same_for_any_number_of_threads(MeshData mesh) {
       EXPECT_EQ(bits(primal[k]), bits(other_primal[k]));
     }
     EXPECT_EQ(dual.degenerate, other.degenerate);
+    EXPECT_EQ(dual.well_centered, other.well_centered);
+    expect_same(verdicts, judged_dual(K, g).report);
     EXPECT_EQ(bits(volumes), bits(signed_volumes(K, g)));
     EXPECT_EQ(report.total_volume, quality(K, g).total_volume);
     EXPECT_EQ(report.inverted, quality(K, g).inverted);
@@ -126,6 +143,23 @@ TEST_F(DualThreads, DoNotChangeTheVolumes) {
   expect_same_for_any_number_of_threads<2>(meshes::box(2, 120, {.jitter = 0.6}));
   expect_same_for_any_number_of_threads<3>(meshes::box(3, 17, {.jitter = 0.6}));
   expect_same_for_any_number_of_threads<4>(meshes::box(4, 5, {.jitter = 0.6}));
+}
+
+// Judging on the way gives the same volumes and the same verdicts as judging at the end.
+TYPED_TEST(DualRecursion, JudgesOnTheWay) {
+  constexpr int n = TypeParam::value;
+  for (const double jitter : {0.0, 0.2 / n, 1.0}) {
+    const MeshData mesh = meshes::box(n, 5, {.jitter = jitter});
+    const SimplicialComplex<n> K(mesh.simplices);
+    const auto g = Geometry<n>::from_mesh(K, mesh);
+    const auto [volumes, report] = judged_dual(K, g);
+    const auto dual = circumcentric_dual(K, g);
+    expect_same(report, dual_report(K, dual));
+    for (int k = 0; k <= n; ++k) {
+      EXPECT_EQ(bits(volumes.dual[k]), bits(dual.dual[k]));
+      EXPECT_EQ(bits(volumes.primal[k]), bits(dual.primal[k]));
+    }
+  }
 }
 
 // More entries than the report looks at together, with every verdict among them.

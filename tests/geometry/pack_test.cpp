@@ -47,6 +47,29 @@ TEST(Pack, LanesAreDoubles) {
     }
 }
 
+TEST(Pack, NormalAsDoublesAre) {
+  for (const double a : samples())
+    for (const double b : samples()) {
+      const auto normal = is_normal(Pack(a, b));
+      EXPECT_EQ(normal[0], std::isnormal(a)) << a;
+      EXPECT_EQ(normal[1], std::isnormal(b)) << b;
+      EXPECT_EQ(normal.all(), std::isnormal(a) && std::isnormal(b));
+      EXPECT_EQ((Pack(a, b) == Pack(b, b))[0], a == b);
+      EXPECT_EQ(((Pack(a, a) < Pack(b, b)) | (Pack(a, b) == Pack(b, a)))[0], a <= b);
+    }
+}
+
+TEST(Pack, LoadsWhatItStores) {
+  double memory[] = {1, 2, 3, 4};
+  const Pack x = Pack::load(memory + 1);
+  expect_same(x[0], 2);
+  expect_same(x[1], 3);
+  x.store(memory);
+  EXPECT_EQ(memory[0], 2);
+  EXPECT_EQ(memory[1], 3);
+  EXPECT_EQ(memory[2], 3);
+}
+
 TEST(Pack, ComparisonsSelectLaneByLane) {
   for (const double a : samples())
     for (const double b : samples()) {

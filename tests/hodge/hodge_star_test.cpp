@@ -2,6 +2,7 @@
 
 #include "derham/core/error.hpp"
 #include "derham/core/parallel.hpp"
+#include "derham/dual/circumcentric.hpp"
 #include "derham/meshes/boxes.hpp"
 #include "derham/meshes/lattices.hpp"
 #include "geometry/mesh_kit.hpp"
@@ -139,6 +140,30 @@ TEST(Hodge, RefusesFormsOfOtherComplexesAndWrongDegrees) {
   EXPECT_THROW((void)a.star(PrimalForm<2, 1>(b.K)), InputError);
   EXPECT_THROW((void)a.star.diagonal(3), InputError);
   EXPECT_THROW((void)a.star.diagonal(-1), InputError);
+}
+
+// The entries are dual volumes over volumes, and the same bits for any number of threads, in any order of the vertices.
+TEST(HodgeStar, EntriesDoNotDependOnThreads) {
+  const int before = thread_count();
+  std::vector<Index> id;
+  for (const bool in_order : {true, false}) {
+    const MeshData box = meshes::box(3, 17, {.jitter = 0.1});
+    const MeshData mesh = in_order ? box : test::shuffled(box, 1, id);
+    set_thread_count(1);
+    const Space<3> space(mesh);
+    const auto volumes = circumcentric_dual(space.K, space.g);
+    for (const int threads : {1, 2, 4}) {
+      set_thread_count(threads);
+      const HodgeStar<3> star(space.K, space.g);
+      for (int k = 0; k <= 3; ++k) {
+        const auto entries = star.diagonal(k);
+        ASSERT_EQ(entries.size(), volumes.dual[k].size());
+        for (std::size_t i = 0; i < entries.size(); ++i)
+          ASSERT_EQ(entries[i], volumes.dual[k][i] / volumes.primal[k][i]) << k << ' ' << i << ' ' << threads;
+      }
+    }
+  }
+  set_thread_count(before);
 }
 
 TEST(HodgeStar, AppliesItselfAndItsInverseToSeveralVectorsOnAnyNumberOfThreads) {

@@ -28,9 +28,8 @@ struct CircumcentricDual {
   bool well_centered = true;      ///< every simplex of every degree contains its circumcentre in its interior
 };
 
-/// Cost     one pass over the simplices of every degree, on all threads but for the sums, which are taken in the order of
-///          the simplices: the same bits for any number of threads; beside the result, 16 bytes for every simplex of two
-///          degrees at a time
+/// Cost     one pass over the simplices of every degree, on all threads: the same bits for any number of them; beside the
+///          result, 16 bytes for every simplex of two degrees at a time
 /// Source   Elcott & Schröder, "Building your own DEC at home", §6.2.1, with 1/(n-k) and the signs of Hirani,
 ///          Kalyanaraman, VanderZee, "Delaunay Hodge star", 2013
 template <int n>

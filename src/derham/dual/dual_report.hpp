@@ -36,10 +36,21 @@ struct DualReport {
 template <int n>
 [[nodiscard]] DualReport dual_report(const SimplicialComplex<n>& K, const CircumcentricDual<n>& dual);
 
-/// The same from the metric.
+/// Dual volumes and what they are like.
+template <int n>
+struct JudgedDual {
+  CircumcentricDual<n> volumes;
+  DualReport report;
+};
+
+/// circumcentric_dual(K, geometry) and the report on it, for the price of one: entries are judged while they are at hand.
+template <int n>
+[[nodiscard]] JudgedDual<n> judged_dual(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
+
+/// The report alone.
 template <int n>
 [[nodiscard]] DualReport dual_report(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
-  return dual_report(K, circumcentric_dual(K, geometry));
+  return judged_dual(K, geometry).report;
 }
 
 }  // namespace derham

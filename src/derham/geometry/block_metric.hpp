@@ -11,16 +11,18 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <ranges>
+#include <span>
 #include <vector>
 
 namespace derham {
 
-/// Volumes and heights of some consecutive k-simplices, for the circumcentric dual. A height of at most 1e-10 circumradius +
+/// Volumes and heights of some k-simplices, for the circumcentric dual. A height of at most 1e-10 circumradius +
 /// rounding is exactly 0.
 template <int k>
 struct MetricBlock {
-  static constexpr Index capacity = 1024;
-  using Row = std::array<double, static_cast<std::size_t>(capacity)>;
+  static constexpr Index capacity = 256;
+  struct alignas(16) Row : std::array<double, static_cast<std::size_t>(capacity)> {};
 
   Row volume{};                     ///< units length^k
   std::array<Row, k + 1> height{};  ///< [v]: signed distance of the circumcentre from the facet opposite to corner v
@@ -54,12 +56,12 @@ class BlockMetric {
   /// The power of two that heights and rounding of a MetricBlock count in.
   [[nodiscard]] double unit() const noexcept { return unit_; }
 
-  /// Fills `block` for the k-simplices [begin, end), at most its capacity.
+  /// Fills `block` for a list of k-simplices, at most its capacity.
   template <int k>
-  void measure(Index begin, Index end, MetricBlock<k>& block) const {
+  void measure(std::span<const Index> simplices, MetricBlock<k>& block) const {
     block.degenerate.clear();
     for_each<k>(
-        begin, end,
+        simplices,
         [&](std::size_t i, const kernels::Measured<k>& measured, Pack rounding) {
           volume<k>(measured).store(&block.volume[i]);
           rounding.store(&block.rounding[i]);
@@ -78,7 +80,7 @@ class BlockMetric {
   void measure_volumes(Index begin, Index end, double* result, std::vector<Index>& degenerate) const {
     std::vector<double> scratch;
     for_each<k>(
-        begin, end,
+        std::views::iota(begin, end),
         [&](std::size_t i, const kernels::Measured<k>& measured, Pack) {
           const Pack size = volume<k>(measured), signed_size = select(measured.content < 0, -size, size);
           result[i] = signed_size[0];
@@ -105,43 +107,49 @@ class BlockMetric {
     return result;
   }
 
-  /// Calls fast(i, measured, rounding) for the simplices begin + i and begin + i + 1, and then careful(i, begin + i) for
+  /// Calls fast(i, measured, rounding) for simplices[i] and simplices[i + 1], i even, and then careful(i, simplices[i]) for
   /// those that formulas are not good enough for.
-  template <int k, class Fast, class Careful>
-  void for_each(Index begin, Index end, Fast&& fast, Careful&& careful) const {
+  template <int k, class Simplices, class Fast, class Careful>
+  void for_each(const Simplices& simplices, Fast&& fast, Careful&& careful) const {
     switch (geometry_.coordinate_dimension()) {
       case 1:
-        return for_each_pair<k, 1>(begin, end, fast, careful);
+        return for_each_pair<k, 1>(simplices, fast, careful);
       case 2:
-        return for_each_pair<k, 2>(begin, end, fast, careful);
+        return for_each_pair<k, 2>(simplices, fast, careful);
       case 3:
-        return for_each_pair<k, 3>(begin, end, fast, careful);
+        return for_each_pair<k, 3>(simplices, fast, careful);
       default:
-        return for_each_pair<k, 0>(begin, end, fast, careful);
+        return for_each_pair<k, 0>(simplices, fast, careful);
     }
   }
 
-  template <int k, int d, class Fast, class Careful>
-  void for_each_pair(Index begin, Index end, Fast& fast, Careful& careful) const {
+  template <int k, int d, class Simplices, class Fast, class Careful>
+  void for_each_pair(const Simplices& simplices, Fast& fast, Careful& careful) const {
+    constexpr std::size_t lead = 16;  // corners are asked for so many simplices before they are needed
+    const auto count = static_cast<std::size_t>(simplices.size());
+    const auto simplex = [&](std::size_t i) { return simplices[static_cast<std::ptrdiff_t>(i)]; };
     if constexpr (kernels::available<k, d>) {
-      for (Index i = begin; i < end; i += 2) {
-        const Index next = std::min(i + 1, end - 1);
-        const auto a = geometry_.template corner_places<k>(complex_, i),
-                   b = geometry_.template corner_places<k>(complex_, next);
+      for (std::size_t i = 0; i < count; i += 2) {
+        if (i + lead + 1 < count)
+          for (const std::size_t later : {i + lead, i + lead + 1})
+            for (const std::size_t place : geometry_.template corner_places<k, d>(complex_, simplex(later)))
+              __builtin_prefetch(coordinates_ + place);
+        const Index first = simplex(i), second = simplex(std::min(i + 1, count - 1));
+        const auto a = geometry_.template corner_places<k, d>(complex_, first),
+                   b = geometry_.template corner_places<k, d>(complex_, second);
         kernels::Corners<k, d> corners;
         for (std::size_t v = 0; v <= k; ++v)
           for (std::size_t c = 0; c < d; ++c) corners[v][c] = Pack(coordinates_[a[v] + c], coordinates_[b[v] + c]);
         const Pack rounding = geometry_.relative_roundoff() * kernels::largest_coordinate(corners);
         const auto measured = kernels::measure<d>(corners);
-        const auto at = static_cast<std::size_t>(i - begin);
-        fast(at, measured, rounding);
+        fast(i, measured, rounding);
         const PackMask trusted = is_trusted(measured, rounding);
         if (trusted.all()) continue;
-        if (!trusted[0]) careful(at, i);
-        if (!trusted[1] && i + 1 < end) careful(at + 1, i + 1);
+        if (!trusted[0]) careful(i, first);
+        if (!trusted[1] && i + 1 < count) careful(i + 1, second);
       }
     } else {
-      for (Index i = begin; i < end; ++i) careful(static_cast<std::size_t>(i - begin), i);
+      for (std::size_t i = 0; i < count; ++i) careful(i, simplex(i));
     }
   }
 

@@ -88,11 +88,11 @@ class Geometry {
   [[nodiscard]] double unit() const noexcept { return unit_; }
 
   /// Where in coordinates() the corners of k-simplex i begin: in the chart of the first top simplex it belongs to unless
-  /// made from points.
-  template <int k>
+  /// made from points. `width` is coordinate_dimension() where that is known at compile time, else 0.
+  template <int k, int width = 0>
   [[nodiscard]] std::array<std::size_t, k + 1> corner_places(const SimplicialComplex<n>& K, Index i) const noexcept {
     std::array<std::size_t, k + 1> result{};
-    const auto d = static_cast<std::size_t>(width_);
+    const auto d = static_cast<std::size_t>(width > 0 ? width : width_);
     if (source_ == MetricSource::points) {
       const auto vertices = K.template simplex<k>(i);
       for (std::size_t v = 0; v <= k; ++v) result[v] = static_cast<std::size_t>(vertices[v]) * d;

@@ -5,8 +5,11 @@
 #include "derham/core/parallel.hpp"
 #include "derham/core/text.hpp"
 #include "derham/dual/circumcentric.hpp"
+#include "derham/dual/dual_recursion.hpp"
+#include "derham/dual/kept_volumes.hpp"
 #include "derham/geometry/naming.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <utility>
@@ -38,6 +41,47 @@ bool scale(std::span<const double> diagonal, std::span<const double> x, std::spa
   return zero;
 }
 
+/// Keeps the entries of the diagonals.
+template <int n>
+class KeptStars {
+ public:
+  KeptStars(const SimplicialComplex<n>& K, ByDegree<n>& diagonal) : diagonal_(diagonal) {
+    detail::make_room<n>(K, diagonal);
+  }
+
+  template <int k>
+  void take(std::size_t, const detail::SettledBlock& block) {
+    detail::SettledBlock::Row star{};
+    (void)block.stars(star);
+    const auto count = static_cast<std::ptrdiff_t>(block.simplices.size());
+    if (std::any_of(star.begin(), star.begin() + count, [](double x) { return std::isnan(x); })) undefined_ = true;
+    block.store(star.data(), diagonal_[k]);
+  }
+
+  [[nodiscard]] bool undefined() const noexcept { return undefined_; }
+
+ private:
+  ByDegree<n>& diagonal_;
+  std::atomic<bool> undefined_ = false;
+};
+
+/// Throws for the first entry that is undefined.
+template <int n>
+void refuse(const SimplicialComplex<n>& K, const CircumcentricDual<n>& volumes) {
+  if (!volumes.degenerate.empty())
+    throw GeometryError(text("the Hodge star divides by volumes, and ", volumes.degenerate.size(),
+                             " top simplices are flat: ", simplices_text<n>(K, n, volumes.degenerate),
+                             "; move their vertices or remove them"));
+  for (int k = 0; k <= n; ++k)
+    for (Index i = 0; i < K.size(k); ++i) {
+      const double dual = volumes.dual[k][i], primal = volumes.primal[k][i];
+      if (std::isnan(star_entry(dual, primal)))
+        throw GeometryError(text("the Hodge star of ", simplex_text(K, k, i),
+                                 " is out of the range of doubles: dual volume ", dual, " over volume ", primal,
+                                 "; scale the mesh so that edge lengths are closer to 1"));
+    }
+}
+
 }  // namespace
 
 template <int n>
@@ -46,21 +90,10 @@ HodgeStar<n>::HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geomet
     throw TopologyError(
         text("the Hodge star needs an orientable complex; orientation is reversed along the closed walk ", "of ",
              K.orientation().one_sided.size(), " top simplices ", simplices_text<n>(K, n, K.orientation().one_sided)));
-  auto volumes = circumcentric_dual(K, geometry);
-  if (!volumes.degenerate.empty())
-    throw GeometryError(text("the Hodge star divides by volumes, and ", volumes.degenerate.size(),
-                             " top simplices are flat: ", simplices_text<n>(K, n, volumes.degenerate),
-                             "; move their vertices or remove them"));
-  diagonal_ = std::move(volumes.dual);
-  for (std::size_t k = 0; k <= n; ++k)
-    for (std::size_t i = 0; i < diagonal_[k].size(); ++i) {
-      const double dual = diagonal_[k][i], primal = volumes.primal[k][i];
-      diagonal_[k][i] = star_entry(dual, primal);
-      if (std::isnan(diagonal_[k][i]))
-        throw GeometryError(text("the Hodge star of ", simplex_text(K, static_cast<int>(k), static_cast<Index>(i)),
-                                 " is out of the range of doubles: dual volume ", dual, " over volume ", primal,
-                                 "; scale the mesh so that edge lengths are closer to 1"));
-    }
+  KeptStars<n> sink(K, diagonal_);
+  detail::DualRecursion recursion(K, geometry, sink);
+  recursion.run();
+  if (sink.undefined()) refuse(K, circumcentric_dual(K, geometry));
 }
 
 template <int n>
