@@ -4,6 +4,7 @@
 #include "bench/support/operators.hpp"
 #include "bench/support/program.hpp"
 #include "bench/support/yardsticks.hpp"
+#include "derham/boundary/boundary_map.hpp"
 #include "derham/boundary/eigen.hpp"
 #include "derham/boundary/matrix_free.hpp"
 
@@ -34,6 +35,14 @@ Kernel scattered(const BenchMesh& mesh) {
 }
 
 template <int k, int columns = 1>
+Kernel in_pieces(const BenchMesh& mesh) {
+  const auto& K = complex_of<3>(mesh);
+  const auto map = std::make_shared<const BoundaryMap<3>>(K, k);
+  const auto apply = [map](const Vector& x, Vector& y) { map->apply(x, y, columns); };
+  return application(mesh, K.size(k), K.size(k - 1), bytes(K.face_table(k)), apply, columns);
+}
+
+template <int k, int columns = 1>
 Kernel gathered(const BenchMesh& mesh) {
   const auto& K = complex_of<3>(mesh);
   const auto cofaces = std::make_shared<const Cofaces>(K, k - 1);
@@ -61,6 +70,8 @@ void add_degree(const std::vector<BenchMesh>& meshes) {
   add(derivative_name + " of 4 vectors", meshes, derivative<k, 4>);
   add(derivative_name + " by Eigen", meshes, eigen<k>, Runs::one_thread);
   add(boundary_name, meshes, scattered<k + 1>, Runs::one_thread);
+  add(boundary_name + " in pieces", meshes, in_pieces<k + 1>);
+  add(boundary_name + " in pieces of 4 vectors", meshes, in_pieces<k + 1, 4>);
   add(boundary_name + " by cofaces", meshes, gathered<k + 1>);
   add(boundary_name + " by cofaces of 4 vectors", meshes, gathered<k + 1, 4>);
 }

@@ -1,6 +1,7 @@
 #include "derham/boundary/scatter_pieces.hpp"
 
 #include "derham/complex/cofaces.hpp"
+#include "derham/core/parallel.hpp"
 #include "derham/meshes/boxes.hpp"
 #include "support/random_rows.hpp"
 
@@ -71,6 +72,22 @@ TEST(ScatterPieces, OfALocalNumberingShareFewSimplices) {
     EXPECT_GT(shared, 0u);
     EXPECT_TRUE(detail::scatter_pieces(K, k, 1)[0].shared.empty());
   }
+}
+
+TEST(ScatterPieces, AreOneWhereSeveralWouldShareTooMuch) {
+  const auto box = meshes::box(3, 15).simplices;
+  support::Rows rows;
+  for (Offset i = 0; i < box.size(); ++i) rows.emplace_back(box[i].begin(), box[i].end());
+  support::Random random(1);
+  const SimplicialComplex<3> local(box), shuffled(support::simplex_list(support::shuffled(rows, random)));
+  const auto threads = thread_count();
+  set_thread_count(2);
+  for (int k = 2; k <= 3; ++k) {
+    EXPECT_EQ(detail::pieces_for_threads(local, k).size(), 2u);
+    EXPECT_EQ(detail::pieces_for_threads(shuffled, k).size(), 1u);
+  }
+  EXPECT_EQ(detail::pieces_for_threads(local, 1).size(), 1u) << "few faces";
+  set_thread_count(threads);
 }
 
 }  // namespace

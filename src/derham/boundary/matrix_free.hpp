@@ -21,7 +21,7 @@ template <int n>
 void apply_coboundary(const SimplicialComplex<n>& K, int k, std::span<const double> x, std::span<double> y,
                       Index columns = 1);
 
-/// y = ∂_k x: each k-simplex adds to its faces, in index order. On one thread.
+/// y = ∂_k x: each k-simplex adds to its faces, in index order. On one thread; for several see BoundaryMap.
 /// Shape    x (|K_k|, columns), y (|K_{k-1}|, columns), not overlapping
 /// Cost     one pass over the face table, x and y
 /// Throws   as above

@@ -83,11 +83,24 @@ std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<n>& K, int k, i
   return pieces;
 }
 
-template std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<1>&, int, int);
-template std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<2>&, int, int);
-template std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<3>&, int, int);
-template std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<4>&, int, int);
-template std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<5>&, int, int);
-template std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<6>&, int, int);
+template <int n>
+std::vector<ScatterPiece> pieces_for_threads(const SimplicialComplex<n>& K, int k) {
+  constexpr Index small = 1 << 14;
+  auto pieces = scatter_pieces(K, k, K.size(k - 1) < small ? 1 : thread_count());
+  std::size_t shared = 0;
+  for (const ScatterPiece& piece : pieces) shared += piece.shared.size();
+  return 2 * shared > static_cast<std::size_t>(K.size(k)) ? scatter_pieces(K, k, 1) : pieces;
+}
+
+#define DERHAM_INSTANTIATE(n)                                                               \
+  template std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<n>&, int, int); \
+  template std::vector<ScatterPiece> pieces_for_threads(const SimplicialComplex<n>&, int);
+DERHAM_INSTANTIATE(1)
+DERHAM_INSTANTIATE(2)
+DERHAM_INSTANTIATE(3)
+DERHAM_INSTANTIATE(4)
+DERHAM_INSTANTIATE(5)
+DERHAM_INSTANTIATE(6)
+#undef DERHAM_INSTANTIATE
 
 }  // namespace derham::detail

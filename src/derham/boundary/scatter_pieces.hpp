@@ -4,6 +4,7 @@
 #include "derham/core/types.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 // Internal to the operators of boundary and hodge.
@@ -27,6 +28,11 @@ struct ScatterPiece {
 template <int n>
 [[nodiscard]] std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<n>& K, int k, int count);
 
+/// The pieces for the present `thread_count()`. One if there are few faces, or if the numbering is so far from local that the
+/// pieces would share more than half of the simplices and several threads gain nothing.
+template <int n>
+[[nodiscard]] std::vector<ScatterPiece> pieces_for_threads(const SimplicialComplex<n>& K, int k);
+
 /// Calls run(first, last) for the intervals of simplices that have all their faces in the piece and one(i) for those
 /// that are shared, in the order of their indices.
 template <class Run, class One>
@@ -39,6 +45,23 @@ void for_each_in_order(const ScatterPiece& piece, Run&& run, One&& one) {
     next = std::clamp(i + 1, stop, piece.last);
   }
   run(next, piece.last);
+}
+
+/// Fills the piece's rows of y, (|faces|, columns), with the sums of what its simplices add to them: visit(i, place) adds the
+/// terms of simplex i, `place(face)` is where the row of a face is kept.
+template <class Columns, class Visit>
+void scatter(const ScatterPiece& piece, double* __restrict y, Columns columns, Visit&& visit) {
+  std::fill(y + piece.first_face * columns, y + piece.last_face * columns, 0.0);
+  const auto run = [&](Offset first, Offset last) {
+    for (Offset i = first; i < last; ++i) visit(i, [=](Offset face) { return y + face * columns; });
+  };
+  std::vector<double> elsewhere(static_cast<std::size_t>(columns));
+  const auto one = [&](Offset i) {
+    visit(i, [&](Offset face) {
+      return face >= piece.first_face && face < piece.last_face ? y + face * columns : elsewhere.data();
+    });
+  };
+  for_each_in_order(piece, run, one);
 }
 
 }  // namespace derham::detail

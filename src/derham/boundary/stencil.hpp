@@ -20,22 +20,22 @@ namespace derham::detail {
 template <int k, class Value>
 [[nodiscard, gnu::always_inline]] inline double alternating_sum(Value&& value) {
   double sum = k % 2 == 0 ? value(0) : -value(0);
-  [&]<int... j>(std::integer_sequence<int, j...>) {
+  [&]<int... j>(std::integer_sequence<int, j...>) __attribute__((always_inline)) {
     ((sum = (k - j) % 2 == 1 ? sum + value(j + 1) : sum - value(j + 1)), ...);
-  }(std::make_integer_sequence<int, k>());
+  }
+  (std::make_integer_sequence<int, k>());
   return sum;
 }
 
 /// sum[j] += (-1)^(k-j) term for every face j; `place(j)` is where sum[j] is kept.
 template <int k, int width, class Place>
 [[gnu::always_inline]] inline void add_to_faces(const double (&term)[width], Place&& place) {
-  const auto add = [&](int j, bool negative) {
+  const auto add = [&](int j, bool negative) __attribute__((always_inline)) {
     double* const sum = place(j);
     for (int q = 0; q < width; ++q) sum[q] = negative ? sum[q] - term[q] : sum[q] + term[q];
   };
-  [&]<int... j>(std::integer_sequence<int, j...>) {
-    (add(j, (k - j) % 2 == 1), ...);
-  }(std::make_integer_sequence<int, k + 1>());
+  [&]<int... j>(std::integer_sequence<int, j...>) __attribute__((always_inline)) { (add(j, (k - j) % 2 == 1), ...); }
+  (std::make_integer_sequence<int, k + 1>());
 }
 
 /// Calls f with the degree k, low <= k <= high, as a constant that loops can be unrolled by.

@@ -4,15 +4,10 @@
 #include "derham/boundary/stencil.hpp"
 #include "derham/core/parallel.hpp"
 
-#include <algorithm>
-
 namespace derham {
 namespace {
 
 using detail::for_panels;
-using detail::ScatterPiece;
-
-constexpr Index small = 1 << 14;  // simplices that are not worth a second thread
 
 /// The weighted alternating sum over the faces of one simplex. Signs of top simplices would enter twice and cancel.
 template <int k, class Columns, class Place>
@@ -26,23 +21,6 @@ template <int k, class Columns, class Place>
   });
 }
 
-template <int k, class Columns>
-void apply_piece(const ScatterPiece& piece, const Index* faces, const double* weights, const double* __restrict x,
-                 double* __restrict y, Columns columns) {
-  std::fill(y + piece.first_face * columns, y + piece.last_face * columns, 0.0);
-  const auto run = [&](Offset first, Offset last) {
-    for (Offset i = first; i < last; ++i)
-      visit<k>(faces + i * (k + 1), weights[i], x, columns, [&](Offset face) { return y + face * columns; });
-  };
-  std::vector<double> elsewhere(static_cast<std::size_t>(columns));
-  const auto one = [&](Offset i) {
-    visit<k>(faces + i * (k + 1), weights[i], x, columns, [&](Offset face) {
-      return face >= piece.first_face && face < piece.last_face ? y + face * columns : elsewhere.data();
-    });
-  };
-  detail::for_each_in_order(piece, run, one);
-}
-
 }  // namespace
 
 template <int n>
@@ -51,7 +29,7 @@ UpLaplacian<n>::UpLaplacian(const SimplicialComplex<n>& K, int k, std::span<cons
     : complex_(&K), degree_(k), weights_(weights) {
   detail::require_degree(n, k, 0, n - 1);
   detail::require_shape("the weights", weights.size(), K.size(k + 1), 1);
-  pieces_ = detail::scatter_pieces(K, k + 1, K.size(k) < small ? 1 : thread_count());
+  pieces_ = detail::pieces_for_threads(K, k + 1);
 }
 
 template <int n>
@@ -64,7 +42,10 @@ void UpLaplacian<n>::apply(std::span<const double> x, std::span<double> y, Index
   detail::with_degree<1, n>(degree_ + 1, [&]<int m>(std::integral_constant<int, m>) {
     detail::with_columns(columns, [&](auto r) {
       parallel_blocks(static_cast<Offset>(pieces_.size()), 1, [&](Offset p, Offset) {
-        apply_piece<m>(pieces_[static_cast<std::size_t>(p)], faces, weights_.data(), x.data(), y.data(), r);
+        detail::scatter(pieces_[static_cast<std::size_t>(p)], y.data(), r,
+                        [=, weights = weights_.data(), from = x.data()](Offset i, auto&& place) {
+                          visit<m>(faces + i * (m + 1), weights[i], from, r, place);
+                        });
       });
     });
   });

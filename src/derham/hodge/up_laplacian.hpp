@@ -23,7 +23,8 @@ template <int n>
 class UpLaplacian {
  public:
   /// Prepares for the present `thread_count()`: deals the faces to that many pieces. For one thread nothing is done and
-  /// kept; for more, the indices of the simplices with faces in several pieces, hardly any when the numbering is local.
+  /// kept; for more, the indices of the simplices with faces in several pieces, hardly any when the numbering is local. If it is
+  /// not at all, everything stays one piece.
   /// Cost     one pass over the face table of degree k+1
   /// Throws   InputError unless 0 <= k < n, or if `weights` does not hold one number per (k+1)-simplex
   UpLaplacian(const SimplicialComplex<n>& K, int k, std::span<const double> weights);

@@ -1,0 +1,57 @@
+#include "derham/boundary/boundary_map.hpp"
+
+#include "derham/boundary/matrix_free.hpp"
+#include "derham/boundary/stencil.hpp"
+#include "derham/core/parallel.hpp"
+
+namespace derham {
+namespace {
+
+/// Adds the values of one simplex to its faces.
+template <int k, class Columns, class Place>
+[[gnu::always_inline]] inline void visit(const Index* f, bool negative, const double* __restrict x, Columns columns,
+                                         Place&& place) {
+  detail::for_panels(columns, [&](Offset c, auto width) {
+    double term[width];
+    for (int q = 0; q < width; ++q) term[q] = detail::negated_if(negative, x[c + q]);
+    detail::add_to_faces<k>(term, [&](int j) { return place(f[j]) + c; });
+  });
+}
+
+}  // namespace
+
+template <int n>
+  requires(n >= 1)
+BoundaryMap<n>::BoundaryMap(const SimplicialComplex<n>& K, int k) : complex_(&K), degree_(k) {
+  detail::require_degree(n, k, 1, n);
+  pieces_ = detail::pieces_for_threads(K, k);
+}
+
+template <int n>
+  requires(n >= 1)
+void BoundaryMap<n>::apply(std::span<const double> x, std::span<double> y, Index columns) const {
+  const auto& K = *complex_;
+  detail::require_shape("x", x.size(), K.size(degree_), columns);
+  detail::require_shape("y", y.size(), K.size(degree_ - 1), columns);
+  const Index* const faces = K.face_table(degree_).data();
+  const Sign* const signs = K.orientation().sign.data();
+  detail::with_degree<1, n>(degree_, [&]<int m>(std::integral_constant<int, m>) {
+    detail::with_columns(columns, [&](auto r) {
+      parallel_blocks(static_cast<Offset>(pieces_.size()), 1, [&](Offset p, Offset) {
+        detail::scatter(pieces_[static_cast<std::size_t>(p)], y.data(), r,
+                        [=, from = x.data()](Offset i, auto&& place) {
+                          visit<m>(faces + i * (m + 1), m == n && signs[i] < 0, from + i * r, r, place);
+                        });
+      });
+    });
+  });
+}
+
+template class BoundaryMap<1>;
+template class BoundaryMap<2>;
+template class BoundaryMap<3>;
+template class BoundaryMap<4>;
+template class BoundaryMap<5>;
+template class BoundaryMap<6>;
+
+}  // namespace derham
