@@ -1,5 +1,7 @@
 #include "derham/complex/subcomplex.hpp"
 
+#include "derham/complex/cofaces.hpp"  // both in one program
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +47,7 @@ struct Definition {
 template <int n>
 void expect_definitions(const SimplicialComplex<n>& K) {
   const Definition<n> definition{K};
-  const Cofaces<n> cofaces(K);
+  const CofaceLists<n> cofaces(K);
   SimplexSet<n> several;
   for (int k = 0; k <= n; ++k) {
     for (Index i = 0; i < K.size(k); ++i) {
@@ -69,7 +71,7 @@ TEST(SimplexSet, StarClosureAndLinkFollowTheirDefinitions) {
 
 TEST(SimplexSet, RefusesSimplicesThatAreNotThere) {
   const SimplicialComplex<2> K(SimplexList{{0, 1, 2}, {1, 2, 3}});
-  const Cofaces<2> cofaces(K);
+  const CofaceLists<2> cofaces(K);
   EXPECT_THROW((void)simplex_set<2>(3, 0), InputError);
   EXPECT_THROW((void)simplex_set<2>(-1, 0), InputError);
   for (const Index i : {-1, 2, 100000000}) EXPECT_THROW((void)closure(K, simplex_set<2>(2, i)), InputError);

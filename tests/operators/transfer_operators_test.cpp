@@ -46,7 +46,7 @@ void expect_transfer(std::uint64_t seed) {
 }
 
 TEST(TransferOperators, HaveMatricesWithTheLaws) {
-  for (const std::uint64_t seed : {1, 4, 5}) {
+  for (const std::uint64_t seed : {1U, 4U, 5U}) {
     expect_transfer<1>(seed);
     expect_transfer<2>(seed);
     expect_transfer<3>(seed);

@@ -37,7 +37,7 @@ SimplexSet<n> closure(const SimplicialComplex<n>& K, SimplexSet<n> set) {
 }
 
 template <int n>
-SimplexSet<n> star(const Cofaces<n>& cofaces, SimplexSet<n> set) {
+SimplexSet<n> star(const CofaceLists<n>& cofaces, SimplexSet<n> set) {
   for (int k = 0; k < n; ++k) {
     const auto degree = static_cast<std::size_t>(k);
     require_inside(set.indices[degree], k, cofaces.table[degree].rows());
@@ -52,7 +52,7 @@ SimplexSet<n> star(const Cofaces<n>& cofaces, SimplexSet<n> set) {
 }
 
 template <int n>
-SimplexSet<n> link(const SimplicialComplex<n>& K, const Cofaces<n>& cofaces, const SimplexSet<n>& set) {
+SimplexSet<n> link(const SimplicialComplex<n>& K, const CofaceLists<n>& cofaces, const SimplexSet<n>& set) {
   const SimplexSet<n> outer = closure(K, star(cofaces, set)), inner = star(cofaces, closure(K, set));
   SimplexSet<n> result;
   for (std::size_t k = 0; k <= n; ++k)
@@ -71,11 +71,11 @@ SimplexSet<n> boundary_simplices(const SimplicialComplex<n>& K) {
   return closure(K, std::move(set));
 }
 
-#define DERHAM_INSTANTIATE(n)                                                                        \
-  template struct SimplexSet<n>;                                                                     \
-  template SimplexSet<n> closure(const SimplicialComplex<n>&, SimplexSet<n>);                        \
-  template SimplexSet<n> star(const Cofaces<n>&, SimplexSet<n>);                                     \
-  template SimplexSet<n> link(const SimplicialComplex<n>&, const Cofaces<n>&, const SimplexSet<n>&); \
+#define DERHAM_INSTANTIATE(n)                                                                            \
+  template struct SimplexSet<n>;                                                                         \
+  template SimplexSet<n> closure(const SimplicialComplex<n>&, SimplexSet<n>);                            \
+  template SimplexSet<n> star(const CofaceLists<n>&, SimplexSet<n>);                                     \
+  template SimplexSet<n> link(const SimplicialComplex<n>&, const CofaceLists<n>&, const SimplexSet<n>&); \
   template SimplexSet<n> boundary_simplices(const SimplicialComplex<n>&);
 DERHAM_INSTANTIATE(0)
 DERHAM_INSTANTIATE(1)

@@ -34,8 +34,8 @@ template <int n>
 /// The cofaces, one degree higher, of every simplex: the transposed boundary tables, built once for many queries.
 /// Shape    table[k] has |K_k| rows, 0 <= k < n
 template <int n>
-struct Cofaces {
-  explicit Cofaces(const SimplicialComplex<n>& K) {
+struct CofaceLists {
+  explicit CofaceLists(const SimplicialComplex<n>& K) {
     for (int k = 0; k < n; ++k) table[static_cast<std::size_t>(k)] = incidence(K, k, k + 1);
   }
   std::array<Incidence, n + 1> table;
@@ -51,12 +51,13 @@ template <int n>
 /// Cost     O(s log s) in the size s of the result
 /// Throws   InputError if an index is outside [0, |K_k|) for a degree k < n
 template <int n>
-[[nodiscard]] SimplexSet<n> star(const Cofaces<n>& cofaces, SimplexSet<n> set);
+[[nodiscard]] SimplexSet<n> star(const CofaceLists<n>& cofaces, SimplexSet<n> set);
 
 /// Closure of the star without the star of the closure: for one simplex s, all t disjoint from s with s*t in K.
 /// Throws   InputError if an index is outside [0, |K_k|)
 template <int n>
-[[nodiscard]] SimplexSet<n> link(const SimplicialComplex<n>& K, const Cofaces<n>& cofaces, const SimplexSet<n>& set);
+[[nodiscard]] SimplexSet<n> link(const SimplicialComplex<n>& K, const CofaceLists<n>& cofaces,
+                                 const SimplexSet<n>& set);
 
 /// The simplices on the boundary: the closure of the facets with exactly one coface. Empty for n = 0.
 /// Cost     linear
