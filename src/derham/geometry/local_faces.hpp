@@ -1,3 +1,0 @@
-#pragma once
-
-#include "derham/complex/local_faces.hpp"
