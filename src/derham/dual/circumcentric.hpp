@@ -28,7 +28,7 @@ struct CircumcentricDual {
   bool well_centered = true;      ///< every simplex of every degree contains its circumcentre in its interior
 };
 
-/// Cost     one pass over the simplices of every degree, on all threads: the same bits for any number of them; beside the
+/// Cost     one pass over the simplices of every degree, on all threads where numbering is local; the same bits for any number; beside the
 ///          result, 16 bytes for every simplex of two degrees at a time
 /// Source   Elcott & Schröder, "Building your own DEC at home", §6.2.1, with 1/(n-k) and the signs of Hirani,
 ///          Kalyanaraman, VanderZee, "Delaunay Hodge star", 2013

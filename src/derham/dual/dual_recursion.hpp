@@ -62,7 +62,7 @@ template <int n>
 /// simplices of a piece are increasing and come before those of the next.
 ///
 /// Threads own ranges of the faces that shares go to, and each adds up its own in the order of the simplices: the same
-/// bits for any number of threads. A simplex with faces in several ranges is measured in each.
+/// bits for any number of threads. A simplex with faces in several ranges is measured in each; where most are, one thread does all.
 template <int n, class Sink>
 class DualRecursion {
  public:
@@ -111,7 +111,10 @@ class DualRecursion {
   template <int k>
   void add_shares() {
     Sums below(static_cast<std::size_t>(complex_.size(k - 1)));
-    const auto pieces = scatter_pieces(complex_, k, static_cast<int>(parts_.size()));
+    auto pieces = scatter_pieces(complex_, k, static_cast<int>(parts_.size()));
+    std::size_t shared = 0;
+    for (const ScatterPiece& piece : pieces) shared += piece.shared.size();
+    if (shared > static_cast<std::size_t>(complex_.size(k))) pieces = scatter_pieces(complex_, k, 1);
     parallel_blocks(static_cast<Offset>(pieces.size()), 1, [&](Offset number, Offset) {
       const auto p = static_cast<std::size_t>(number);
       const ScatterPiece& piece = pieces[p];
