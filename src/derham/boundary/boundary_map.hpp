@@ -4,6 +4,7 @@
 #include "derham/complex/simplicial_complex.hpp"
 #include "derham/core/types.hpp"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,16 +12,17 @@ namespace derham {
 
 /// ∂_k applied without a matrix on several threads, prepared once: each thread owns a range of (k-1)-simplices and adds up
 /// what the k-simplices about them give, in the order of their indices. So it has the bits of `apply_boundary` for any
-/// number of threads, and reads fewer bytes than the cofaces have. K must outlive it.
+/// number of threads, and reads fewer bytes than the cofaces have. Which simplex is the first about a face is known, so that y
+/// need not be set to zero before. K must outlive it.
 /// Shape    |K_{k-1}| × |K_k|
 template <int n>
   requires(n >= 1)
 class BoundaryMap {
  public:
-  /// Prepares for the present `thread_count()`: deals the faces to that many pieces. For one thread nothing is done and
-  /// kept; for more, the indices of the simplices with faces in several pieces, hardly any when the numbering is local. If it is
+  /// Prepares for the present `thread_count()`: deals the faces to that many pieces. Keeps a byte per k-simplex and, for several
+  /// threads, the indices of the simplices with faces in several pieces, hardly any when the numbering is local. If it is
   /// not at all, everything stays one piece.
-  /// Cost     one pass over the face table of degree k
+  /// Cost     two passes over the face table of degree k
   /// Throws   InputError unless 1 <= k <= n
   BoundaryMap(const SimplicialComplex<n>& K, int k);
   BoundaryMap(SimplicialComplex<n>&&, int) = delete;
@@ -37,6 +39,8 @@ class BoundaryMap {
   const SimplicialComplex<n>* complex_;
   int degree_;
   std::vector<detail::ScatterPiece> pieces_;
+  std::vector<std::uint8_t> begun_;  // (|K_k|,) which of its faces a simplex before it has, too, as bits
+  std::vector<Index> bare_;          // faces of no simplex
 };
 
 }  // namespace derham

@@ -47,11 +47,10 @@ void for_each_in_order(const ScatterPiece& piece, Run&& run, One&& one) {
   run(next, piece.last);
 }
 
-/// Fills the piece's rows of y, (|faces|, columns), with the sums of what its simplices add to them: visit(i, place) adds the
-/// terms of simplex i, `place(face)` is where the row of a face is kept.
+/// Adds what the simplices of a piece give to its rows of y, (|faces|, columns): visit(i, place) adds the terms of simplex i,
+/// `place(face)` is where the row of a face is kept.
 template <class Columns, class Visit>
 void scatter(const ScatterPiece& piece, double* __restrict y, Columns columns, Visit&& visit) {
-  std::fill(y + piece.first_face * columns, y + piece.last_face * columns, 0.0);
   const auto run = [&](Offset first, Offset last) {
     for (Offset i = first; i < last; ++i) visit(i, [=](Offset face) { return y + face * columns; });
   };

@@ -2,7 +2,9 @@
 
 #include "derham/core/types.hpp"
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
@@ -33,6 +35,31 @@ template <int k, int width, class Place>
   const auto add = [&](int j, bool negative) __attribute__((always_inline)) {
     double* const sum = place(j);
     for (int q = 0; q < width; ++q) sum[q] = negative ? sum[q] - term[q] : sum[q] + term[q];
+  };
+  [&]<int... j>(std::integer_sequence<int, j...>) __attribute__((always_inline)) { (add(j, (k - j) % 2 == 1), ...); }
+  (std::make_integer_sequence<int, k + 1>());
+}
+
+/// For each set of faces, as bits: all bits of a number for those that are in it, none for the others.
+template <int k>
+inline constexpr auto face_masks = [] {
+  std::array<std::array<std::uint64_t, k + 1>, std::size_t{1} << (k + 1)> masks{};
+  for (std::size_t set = 0; set < masks.size(); ++set)
+    for (std::size_t j = 0; j <= k; ++j) masks[set][j] = (set >> j & 1U) != 0 ? ~std::uint64_t{0} : 0;
+  return masks;
+}();
+
+/// As add_to_faces, but what is kept of a face that is not in the set `begun` counts as zero, whatever it is.
+template <int k, int width, class Place>
+[[gnu::always_inline]] inline void add_to_begun_faces(const double (&term)[width], std::uint8_t begun, Place&& place) {
+  const auto& masks = face_masks<k>[begun];
+  const auto add = [&](int j, bool negative) __attribute__((always_inline)) {
+    double* const sum = place(j);
+    for (int q = 0; q < width; ++q) {
+      const auto so_far =
+          std::bit_cast<double>(std::bit_cast<std::uint64_t>(sum[q]) & masks[static_cast<std::size_t>(j)]);
+      sum[q] = negative ? so_far - term[q] : so_far + term[q];
+    }
   };
   [&]<int... j>(std::integer_sequence<int, j...>) __attribute__((always_inline)) { (add(j, (k - j) % 2 == 1), ...); }
   (std::make_integer_sequence<int, k + 1>());

@@ -4,6 +4,8 @@
 #include "derham/boundary/stencil.hpp"
 #include "derham/core/parallel.hpp"
 
+#include <algorithm>
+
 namespace derham {
 namespace {
 
@@ -42,10 +44,11 @@ void UpLaplacian<n>::apply(std::span<const double> x, std::span<double> y, Index
   detail::with_degree<1, n>(degree_ + 1, [&]<int m>(std::integral_constant<int, m>) {
     detail::with_columns(columns, [&](auto r) {
       parallel_blocks(static_cast<Offset>(pieces_.size()), 1, [&](Offset p, Offset) {
-        detail::scatter(pieces_[static_cast<std::size_t>(p)], y.data(), r,
-                        [=, weights = weights_.data(), from = x.data()](Offset i, auto&& place) {
-                          visit<m>(faces + i * (m + 1), weights[i], from, r, place);
-                        });
+        const auto& piece = pieces_[static_cast<std::size_t>(p)];
+        std::fill(y.begin() + Offset{piece.first_face} * r, y.begin() + Offset{piece.last_face} * r, 0.0);
+        detail::scatter(piece, y.data(), r, [=, weights = weights_.data(), from = x.data()](Offset i, auto&& place) {
+          visit<m>(faces + i * (m + 1), weights[i], from, r, place);
+        });
       });
     });
   });
