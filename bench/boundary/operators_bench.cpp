@@ -24,7 +24,8 @@ template <int k, int columns = 1>
 Kernel derivative(const BenchMesh& mesh) {
   const auto& K = complex_of<3>(mesh);
   const auto apply = [&K](const Vector& x, Vector& y) { apply_coboundary(K, k, x, y, columns); };
-  return application(mesh, K.size(k), K.size(k + 1), bytes(K.face_table(k + 1)), apply, columns);
+  const Offset signs = k + 1 == 3 ? K.size(3) : 0;
+  return application(mesh, K.size(k), K.size(k + 1), bytes(K.face_table(k + 1)) + signs, apply, columns);
 }
 
 template <int k>
@@ -39,7 +40,8 @@ Kernel in_pieces(const BenchMesh& mesh) {
   const auto& K = complex_of<3>(mesh);
   const auto map = std::make_shared<const BoundaryMap<3>>(K, k);
   const auto apply = [map](const Vector& x, Vector& y) { map->apply(x, y, columns); };
-  return application(mesh, K.size(k), K.size(k - 1), bytes(K.face_table(k)), apply, columns);
+  const Offset marks = k == 1 ? 0 : K.size(k), signs = k == 3 ? K.size(k) : 0;
+  return application(mesh, K.size(k), K.size(k - 1), bytes(K.face_table(k)) + marks + signs, apply, columns);
 }
 
 template <int k, int columns = 1>

@@ -10,14 +10,17 @@
 namespace derham {
 namespace {
 
-/// Adds the values of one simplex to its faces.
+/// Adds the values of one simplex to its faces. Of edges, which have few of them, these have been set to zero before.
 template <int k, class Columns, class Place>
 [[gnu::always_inline]] inline void visit(const Index* f, bool negative, std::uint8_t begun, const double* __restrict x,
                                          Columns columns, Place&& place) {
   detail::for_panels(columns, [&](Offset c, auto width) {
     double term[width];
     for (int q = 0; q < width; ++q) term[q] = detail::negated_if(negative, x[c + q]);
-    detail::add_to_begun_faces<k>(term, begun, [&](int j) { return place(f[j]) + c; });
+    if constexpr (k == 1)
+      detail::add_to_faces<k>(term, [&](int j) { return place(f[j]) + c; });
+    else
+      detail::add_to_begun_faces<k>(term, begun, [&](int j) { return place(f[j]) + c; });
   });
 }
 
@@ -28,6 +31,7 @@ template <int n>
 BoundaryMap<n>::BoundaryMap(const SimplicialComplex<n>& K, int k) : complex_(&K), degree_(k) {
   detail::require_degree(n, k, 1, n);
   pieces_ = detail::pieces_for_threads(K, k);
+  if (k == 1) return;
   const auto width = static_cast<std::size_t>(k) + 1;
   const auto faces = K.face_table(k);
   begun_.resize(static_cast<std::size_t>(K.size(k)));
@@ -54,10 +58,12 @@ void BoundaryMap<n>::apply(std::span<const double> x, std::span<double> y, Index
   detail::with_degree<1, n>(degree_, [&]<int m>(std::integral_constant<int, m>) {
     detail::with_columns(columns, [&](auto r) {
       parallel_blocks(static_cast<Offset>(pieces_.size()), 1, [&](Offset p, Offset) {
-        detail::scatter(pieces_[static_cast<std::size_t>(p)], y.data(), r,
-                        [=, from = x.data()](Offset i, auto&& place) {
-                          visit<m>(faces + i * (m + 1), m == n && signs[i] < 0, begun[i], from + i * r, r, place);
-                        });
+        const auto& piece = pieces_[static_cast<std::size_t>(p)];
+        if (m == 1) std::fill(y.begin() + Offset{piece.first_face} * r, y.begin() + Offset{piece.last_face} * r, 0.0);
+        detail::scatter(piece, y.data(), r, [=, from = x.data()](Offset i, auto&& place) {
+          visit<m>(faces + i * (m + 1), m == n && signs[i] < 0, m == 1 ? std::uint8_t{0} : begun[i], from + i * r, r,
+                   place);
+        });
       });
       for (const Index face : bare_) std::fill_n(y.begin() + Offset{face} * r, Offset{r}, 0.0);
     });

@@ -39,8 +39,8 @@ class BoundaryMap {
   const SimplicialComplex<n>* complex_;
   int degree_;
   std::vector<detail::ScatterPiece> pieces_;
-  std::vector<std::uint8_t> begun_;  // (|K_k|,) which of its faces a simplex before it has, too, as bits
-  std::vector<Index> bare_;          // faces of no simplex
+  std::vector<std::uint8_t> begun_;  // (|K_k|,) for k >= 2: which of its faces a simplex before it has, too, as bits
+  std::vector<Index> bare_;          // for k >= 2: faces of no simplex
 };
 
 }  // namespace derham

@@ -84,17 +84,25 @@ std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<n>& K, int k, i
 }
 
 template <int n>
-std::vector<ScatterPiece> pieces_for_threads(const SimplicialComplex<n>& K, int k) {
-  constexpr Index small = 1 << 14;
-  auto pieces = scatter_pieces(K, k, K.size(k - 1) < small ? 1 : thread_count());
-  std::size_t shared = 0;
-  for (const ScatterPiece& piece : pieces) shared += piece.shared.size();
-  return 2 * shared > static_cast<std::size_t>(K.size(k)) ? scatter_pieces(K, k, 1) : pieces;
+std::vector<ScatterPiece> local_pieces(const SimplicialComplex<n>& K, int k, int count) {
+  if (count == 1) return scatter_pieces(K, k, 1);
+  constexpr Index asked = 1000;
+  const Index simplices = K.size(k), step = std::max<Index>(simplices / asked, 1);
+  const auto parts = static_cast<std::size_t>(count), width = static_cast<std::size_t>(k) + 1;
+  const auto faces = K.face_table(k);
+  std::vector<Index> begins(parts);
+  for (std::size_t p = 0; p < parts; ++p) begins[p] = part_begin(K.size(k - 1), p, parts);
+  Index shared = 0, sample = 0;
+  for (Index i = 0; i < simplices; i += step, ++sample) {
+    const auto row = faces.subspan(static_cast<std::size_t>(i) * width, width);  // increasing
+    shared += std::ranges::upper_bound(begins, row.front()) != std::ranges::upper_bound(begins, row.back());
+  }
+  return scatter_pieces(K, k, 4 * shared > sample ? 1 : count);
 }
 
 #define DERHAM_INSTANTIATE(n)                                                               \
   template std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<n>&, int, int); \
-  template std::vector<ScatterPiece> pieces_for_threads(const SimplicialComplex<n>&, int);
+  template std::vector<ScatterPiece> local_pieces(const SimplicialComplex<n>&, int, int);
 DERHAM_INSTANTIATE(1)
 DERHAM_INSTANTIATE(2)
 DERHAM_INSTANTIATE(3)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "derham/complex/simplicial_complex.hpp"
+#include "derham/core/parallel.hpp"
 #include "derham/core/types.hpp"
 
 #include <algorithm>
@@ -28,10 +29,17 @@ struct ScatterPiece {
 template <int n>
 [[nodiscard]] std::vector<ScatterPiece> scatter_pieces(const SimplicialComplex<n>& K, int k, int count);
 
-/// The pieces for the present `thread_count()`. One if there are few faces, or if the numbering is so far from local that the
-/// pieces would share more than half of the simplices and several threads gain nothing.
+/// As many pieces, or one if the numbering is so far from local that the pieces would share more than a quarter of the simplices:
+/// then several threads gain nothing. Asks some of the simplices, spread evenly.
 template <int n>
-[[nodiscard]] std::vector<ScatterPiece> pieces_for_threads(const SimplicialComplex<n>& K, int k);
+[[nodiscard]] std::vector<ScatterPiece> local_pieces(const SimplicialComplex<n>& K, int k, int count);
+
+/// The same for the present `thread_count()`; one if there are few faces.
+template <int n>
+[[nodiscard]] std::vector<ScatterPiece> pieces_for_threads(const SimplicialComplex<n>& K, int k) {
+  constexpr Index few = 1 << 14;
+  return local_pieces(K, k, K.size(k - 1) < few ? 1 : thread_count());
+}
 
 /// Calls run(first, last) for the intervals of simplices that have all their faces in the piece and one(i) for those
 /// that are shared, in the order of their indices.

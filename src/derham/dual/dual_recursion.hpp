@@ -111,10 +111,7 @@ class DualRecursion {
   template <int k>
   void add_shares() {
     Sums below(static_cast<std::size_t>(complex_.size(k - 1)));
-    auto pieces = scatter_pieces(complex_, k, static_cast<int>(parts_.size()));
-    std::size_t shared = 0;
-    for (const ScatterPiece& piece : pieces) shared += piece.shared.size();
-    if (shared > static_cast<std::size_t>(complex_.size(k))) pieces = scatter_pieces(complex_, k, 1);
+    const auto pieces = local_pieces(complex_, k, static_cast<int>(parts_.size()));
     parallel_blocks(static_cast<Offset>(pieces.size()), 1, [&](Offset number, Offset) {
       const auto p = static_cast<std::size_t>(number);
       const ScatterPiece& piece = pieces[p];
