@@ -33,16 +33,29 @@ MeshData random_mesh(std::uint32_t seed, Index cells = n < 4 ? 3 : 2) {
   return shuffled(meshes::box(n, cells, {.jitter = 0.6 / n, .seed = seed}), seed, id);
 }
 
+/// The same with no right angle left, at the boundary either: no dual volume is zero.
+template <int n>
+MeshData generic_mesh(std::uint32_t seed, Index cells = n < 4 ? 3 : 2) {
+  MeshData mesh = random_mesh<n>(seed, cells);
+  const auto noise = support::random_values(static_cast<Offset>(mesh.points.size()), seed);
+  for (std::size_t i = 0; i < noise.size(); ++i) mesh.points[i] += 0.02 * noise[i] / static_cast<double>(cells);
+  return mesh;
+}
+
 /// The same complex in space of its dimension, in one dimension more, periodic, and with edge lengths only.
 template <int n, class Body>
-void for_each_space(Body&& body) {
-  const MeshData mesh = random_mesh<n>(1);
+void for_each_space_of(const MeshData& mesh, Body&& body) {
   const Space<n> flat(mesh);
   body(flat);
   body(Space<n>(moved(mesh, n + 1, 1.5, 0.5, 2)));
   std::vector<Index> id;
   body(Space<n>(shuffled(meshes::periodic_box(n, 3, {.jitter = 0.4 / n}), 3, id)));
   body(Space<n>(mesh, squared_lengths(flat.K, flat.g)));
+}
+
+template <int n, class Body>
+void for_each_space(Body&& body) {
+  for_each_space_of<n>(random_mesh<n>(1), body);
 }
 
 /// Calls body.template operator()<k>() for k = 0, …, last.
