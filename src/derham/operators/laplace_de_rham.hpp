@@ -42,7 +42,7 @@ template <class F>
     return codifferential<typename decltype(derivative)::To>(star) * derivative;
   } else {
     const auto delta = codifferential<F>(star);
-    const Operator<F, F> down = d.template at<typename decltype(delta)::To>() * delta;
+    Operator<F, F> down = d.template at<typename decltype(delta)::To>() * delta;
     if constexpr (k == n) {
       return down;
     } else {
