@@ -132,7 +132,8 @@ template <int n>
 void expect_inertia(const MixedLaplacian& mixed, Index betti, int k) {
   const Eigen::MatrixXd A = mixed.matrix;
   EXPECT_LT((A - A.transpose()).norm(), 1e-14 * A.norm());
-  const Eigen::VectorXd scale = A.diagonal().cwiseAbs().cwiseMax(1e-3 * A.cwiseAbs().maxCoeff()).cwiseSqrt().cwiseInverse();
+  const Eigen::VectorXd scale =
+      A.diagonal().cwiseAbs().cwiseMax(1e-3 * A.cwiseAbs().maxCoeff()).cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * A * scale.asDiagonal();
   const Eigen::VectorXd lambda =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues();
@@ -144,7 +145,8 @@ void expect_inertia(const MixedLaplacian& mixed, Index betti, int k) {
 template <int n>
 void expect_inertias(const Space<n>& space, const std::array<Index, n + 1>& betti) {
   for (int k = 0; k <= n; ++k)
-    if (space.K.size(k) < 400) expect_inertia<n>(mixed_laplace_de_rham(space.K, space.g, k), betti[static_cast<std::size_t>(k)], k);
+    if (space.K.size(k) < 400)
+      expect_inertia<n>(mixed_laplace_de_rham(space.K, space.g, k), betti[static_cast<std::size_t>(k)], k);
 }
 
 TEST(MixedWhitneyLaplacian, HasTheCohomologyAsKernelOnEveryMesh) {

@@ -97,8 +97,8 @@ MixedLaplacian mixed_laplace_de_rham(const SimplicialComplex<n>& K, const Geomet
   return mixed_laplace_de_rham(K, k, M);
 }
 
-#define DERHAM_INSTANTIATE(n)                                                                                       \
-  template SparseMatrix weak_laplace_de_rham(const HodgeStar<n>&, int);                                             \
+#define DERHAM_INSTANTIATE(n)                                                                                          \
+  template SparseMatrix weak_laplace_de_rham(const HodgeStar<n>&, int);                                                \
   template MixedLaplacian mixed_laplace_de_rham(const SimplicialComplex<n>&, int, const std::array<SparseMatrix, 3>&); \
   template MixedLaplacian mixed_laplace_de_rham(const SimplicialComplex<n>&, const Geometry<n>&, int);
 DERHAM_INSTANTIATE(1)
