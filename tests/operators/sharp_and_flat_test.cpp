@@ -75,7 +75,7 @@ TYPED_TEST(SharpAndFlat, AreExactOnConstants) {
   for_each_mesh<n>([](const Space<n>& space) {
     if (space.g.source() == MetricSource::lengths) return;
     const Vector X = constant(space.g.ambient_dimension()), shadow = tangential(space, X);
-    const auto form = DeRhamMap<n>(space.K, space.g, 1).circulation([&](auto) { return X; });
+    const auto form = DeRhamMap<n>(space.K, space.g, 1).circulation([&](auto) -> const Vector& { return X; });
     const Vector on_tops = repeated(X, space.K.size(n)), on_vertices = repeated(X, space.K.size(0));
     EXPECT_LT(distance(whitney_sharp(space.g, form), repeated(shadow, space.K.size(n))), 1e-10);
     EXPECT_LT(distance(pd_sharp(space.g, form), repeated(shadow, space.K.size(n))), 1e-9);
@@ -91,7 +91,7 @@ TYPED_TEST(SharpAndFlat, DualFlatOfConstantsIsTheStarOfTheFlux) {
     if (!space.g.has_signed_volume()) return;
     orient_by_volume(space.K, space.g);
     const Vector X = constant(n);
-    const auto flux = DeRhamMap<n>(space.K, space.g, 1).flux([&](auto) { return X; });
+    const auto flux = DeRhamMap<n>(space.K, space.g, 1).flux([&](auto) -> const Vector& { return X; });
     const auto flat = dpd_flat(space.K, space.g, repeated(X, space.K.size(n)));
     const double sign = n % 2 == 0 ? -1 : 1;
     EXPECT_LT(distance(flat, sign * HodgeStar<n>(space.K, space.g)(flux)), 1e-10);
@@ -103,7 +103,7 @@ TYPED_TEST(SharpAndFlat, WorkWithoutCoordinates) {
   const Space<n> flat(test::generic_mesh<n>(1));
   const Space<n> intrinsic(test::generic_mesh<n>(1), squared_lengths(flat.K, flat.g));
   const Vector X = constant(n);
-  const auto form = DeRhamMap<n>(flat.K, flat.g, 1).circulation([&](auto) { return X; });
+  const auto form = DeRhamMap<n>(flat.K, flat.g, 1).circulation([&](auto) -> const Vector& { return X; });
   const PrimalForm<n, 1> same(intrinsic.K, {form.values().begin(), form.values().end()});
   for (const Vector& sharp : {whitney_sharp(intrinsic.g, same), pd_sharp(intrinsic.g, same)}) {
     EXPECT_LT(distance(dpp_flat(intrinsic.K, intrinsic.g, sharp), same), 1e-8);
@@ -189,7 +189,8 @@ TEST(PPSharp, IsTheWeightedMeanOfConstantForms) {
             sum[vertex * 2 + c] += shares[1U << v] * w({tuple[v], tuple[u]}) * frame.gradient(u, c);
     }
   }
-  for (std::size_t i = 0; i < sum.size(); ++i) EXPECT_NEAR(sharp[i], sum[i] / weight[i / 2], 1e-9 * (1 + std::abs(sharp[i])));
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    EXPECT_NEAR(sharp[i], sum[i] / weight[i / 2], 1e-9 * (1 + std::abs(sharp[i])));
 }
 
 TYPED_TEST(SharpAndFlat, PPPFlatIsExactOnLinearFieldsAndOfSecondOrder) {
@@ -227,7 +228,8 @@ TYPED_TEST(SharpAndFlat, HaveTheSameBitsOnAnyNumberOfThreads) {
   const auto all = [&](int threads) {
     set_thread_count(threads);
     const Vector X = pd_sharp(space.g, w), Y = pp_sharp(space.g, w);
-    return std::tuple(X, Y, dpp_flat(space.K, space.g, X), dpd_flat(space.K, space.g, X), ppp_flat(space.K, space.g, Y));
+    return std::tuple(X, Y, dpp_flat(space.K, space.g, X), dpd_flat(space.K, space.g, X),
+                      ppp_flat(space.K, space.g, Y));
   };
   const auto one = all(1);
   EXPECT_EQ(all(2), one);

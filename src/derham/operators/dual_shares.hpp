@@ -35,7 +35,8 @@ class DualShares {
         share_[mask] = 0;
         unrolled<n + 1>([&]<int v>() {
           constexpr unsigned coface = mask | (1U << v);
-          if constexpr (coface != mask) share_[mask] += metric.height[coface][v] * metric.unit * share_[coface] / (n - k);
+          if constexpr (coface != mask)
+            share_[mask] += metric.height[coface][v] * metric.unit * share_[coface] / (n - k);
         });
       }
     });

@@ -24,15 +24,17 @@ void require(const SimplicialComplex<n>& K, const Geometry<n>& geometry, std::sp
   geometry.require_fits(K);
   const auto expected = static_cast<std::size_t>(K.size(k)) * static_cast<std::size_t>(geometry.coordinate_dimension());
   if (vectors.size() != expected)
-    throw InputError(text("a vector field of ", vectors.size(), " components; expected ", geometry.coordinate_dimension(),
-                          " on each of the ", K.size(k), k == 0 ? " vertices" : " top simplices"));
+    throw InputError(text("a vector field of ", vectors.size(), " components; expected ",
+                          geometry.coordinate_dimension(), " on each of the ", K.size(k),
+                          k == 0 ? " vertices" : " top simplices"));
 }
 
 template <int n>
 void require_comparable(const Geometry<n>& geometry) {
   if (geometry.source() == MetricSource::lengths)
     throw GeometryError(
-        "vectors at vertices need coordinates, but the geometry has edge lengths only, and so every top simplex a frame of "
+        "vectors at vertices need coordinates, but the geometry has edge lengths only, and so every top simplex a "
+        "frame of "
         "its own; use vectors per top simplex");
 }
 
@@ -226,12 +228,12 @@ PrimalForm<n, 1> ppp_flat(const SimplicialComplex<n>& K, const Geometry<n>& geom
   return result;
 }
 
-#define DERHAM_INSTANTIATE(n)                                                                                        \
-  template std::vector<double> whitney_sharp(const Geometry<n>&, const PrimalForm<n, 1>&);                           \
-  template std::vector<double> pd_sharp(const Geometry<n>&, const PrimalForm<n, 1>&);                                \
-  template std::vector<double> pp_sharp(const Geometry<n>&, const PrimalForm<n, 1>&);                                \
-  template PrimalForm<n, 1> dpp_flat(const SimplicialComplex<n>&, const Geometry<n>&, std::span<const double>);      \
-  template DualForm<n, 1> dpd_flat(const SimplicialComplex<n>&, const Geometry<n>&, std::span<const double>);        \
+#define DERHAM_INSTANTIATE(n)                                                                                   \
+  template std::vector<double> whitney_sharp(const Geometry<n>&, const PrimalForm<n, 1>&);                      \
+  template std::vector<double> pd_sharp(const Geometry<n>&, const PrimalForm<n, 1>&);                           \
+  template std::vector<double> pp_sharp(const Geometry<n>&, const PrimalForm<n, 1>&);                           \
+  template PrimalForm<n, 1> dpp_flat(const SimplicialComplex<n>&, const Geometry<n>&, std::span<const double>); \
+  template DualForm<n, 1> dpd_flat(const SimplicialComplex<n>&, const Geometry<n>&, std::span<const double>);   \
   template PrimalForm<n, 1> ppp_flat(const SimplicialComplex<n>&, const Geometry<n>&, std::span<const double>);
 DERHAM_INSTANTIATE(1)
 DERHAM_INSTANTIATE(2)
