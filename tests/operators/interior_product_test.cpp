@@ -1,0 +1,291 @@
+#include "derham/operators/interior_product.hpp"
+
+#include "derham/core/parallel.hpp"
+#include "derham/meshes/lattices.hpp"
+#include "derham/operators/de_rham_map.hpp"
+#include "derham/operators/sharp_and_flat.hpp"
+#include "operators/spaces.hpp"
+#include "support/random_forms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace derham {
+namespace {
+
+using support::distance;
+using support::random_form;
+using test::for_each_degree;
+using test::Space;
+using Vector = std::vector<double>;
+using Point = std::span<const double>;
+
+template <class T>
+struct InteriorProducts : testing::Test {};
+TYPED_TEST_SUITE(InteriorProducts, test::Dimensions);
+
+Vector constant(int d) {
+  Vector X;
+  for (int c = 0; c < d; ++c) X.push_back(1.1 - 0.7 * c);
+  return X;
+}
+
+/// A constant k-form on k vectors, (k, m): Σ_I (1 + I) det_I.
+template <int k>
+double on_vectors(int m, std::span<const double> vectors) {
+  const auto columns = subsets<k>(m);
+  std::array<const double*, static_cast<std::size_t>(k)> rows{};
+  for (std::size_t i = 0; i < k; ++i) rows[i] = vectors.data() + i * static_cast<std::size_t>(m);
+  double sum = 0;
+  for (std::size_t i = 0; i < columns.size(); ++i) sum += (1.0 + static_cast<double>(i)) * minor_of<k>(rows, columns[i]);
+  return sum;
+}
+
+template <int k, int n>
+PrimalForm<n, k> constant_form(const Space<n>& space) {
+  const int m = space.g.ambient_dimension();
+  return DeRhamMap<n>(space.K, space.g, 0).template form<k>([m](Point, auto edges) { return on_vectors<k>(m, edges); });
+}
+
+/// i_X of it by definition: X first, then the edges.
+template <int k, int n>
+PrimalForm<n, k - 1> contracted(const Space<n>& space, const Vector& X) {
+  const int m = space.g.ambient_dimension();
+  return DeRhamMap<n>(space.K, space.g, 0).template form<k - 1>([&X, m](Point, auto edges) {
+    Vector all = X;
+    all.insert(all.end(), edges.begin(), edges.end());
+    return on_vectors<k>(m, all);
+  });
+}
+
+/// Of period 1 along every axis, never 0.
+template <int n>
+Vector wavy(Point x) {
+  const double pi = std::numbers::pi;
+  Vector X(x.size());
+  for (std::size_t i = 0; i < X.size(); ++i)
+    X[i] = 1 + 0.3 * std::sin(2 * pi * x[(i + 1) % n]) + 0.2 * std::cos(2 * pi * x[i]);
+  return X;
+}
+
+template <int n>
+Space<n> torus(Index cells = 3) {
+  std::vector<Index> id;
+  Space<n> space(test::shuffled(meshes::periodic_box(n, cells, {.jitter = 0.4 / n, .seed = 2}), 3, id));
+  orient_by_volume(space.K, space.g);
+  return space;
+}
+
+TYPED_TEST(InteriorProducts, OfConstantsAreExact) {
+  constexpr int n = TypeParam::value;
+  const auto expect = [](const Space<n>& space, Trace trace) {
+    const Vector X = constant(space.g.ambient_dimension());
+    const InteriorProduct i_X(space.K, space.g, [&X](Point) -> const Vector& { return X; }, trace, 0);
+    for_each_degree<n - 1>([&]<int j>() {
+      const auto w = constant_form<j + 1>(space);
+      EXPECT_LT(distance(i_X(w), contracted<j + 1>(space, X)), 1e-11) << "degree " << j + 1;
+      EXPECT_LT(distance(lie_derivative(i_X, w), PrimalForm<n, j + 1>(space.K)), 1e-10) << "degree " << j + 1;
+    });
+  };
+  expect(torus<n>(), Trace::mean);
+  expect(torus<n>(), Trace::upwind);
+  Space<n> box(test::generic_mesh<n>(1));
+  orient_by_volume(box.K, box.g);
+  expect(box, Trace::mean);
+}
+
+TYPED_TEST(InteriorProducts, LieDerivativeCommutesWithD) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space(test::generic_mesh<n>(3, n < 3 ? 3 : 2));
+  for (const Trace trace : {Trace::mean, Trace::upwind}) {
+    const InteriorProduct i_X(space.K, space.g, wavy<n>, trace, 2);
+    for_each_degree<n - 1>([&]<int k>() {
+      const auto w = random_form<n, k>(space.K, 1);
+      const auto first = lie_derivative(i_X, d(w)), last = d(lie_derivative(i_X, w));
+      double size = 0;
+      for (const double x : first.values()) size = std::max(size, std::abs(x));
+      EXPECT_GT(size, 0.1);
+      EXPECT_LT(distance(first, last), 1e-11 * size) << "degree " << k;
+    });
+  }
+}
+
+TYPED_TEST(InteriorProducts, LieDerivativeOfAFunctionIsAlongX) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space(meshes::box(n, n < 4 ? 4 : 3));
+  const DeRhamMap<n> R(space.K, space.g, 0);
+  const Vector gradient = constant(n);
+  const auto f = R.function([&](Point x) {
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i) sum += gradient[i] * x[i];
+    return sum;
+  });
+  const auto expected = R.function([&](Point x) {
+    const Vector X = wavy<n>(x);
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i) sum += gradient[i] * X[i];
+    return sum;
+  });
+  EXPECT_LT(distance(lie_derivative(InteriorProduct(space.K, space.g, wavy<n>, Trace::mean, 0), f), expected), 1e-11);
+  const auto upwind = lie_derivative(InteriorProduct(space.K, space.g, wavy<n>, Trace::upwind, 0), f);
+  const auto points = space.g.points();
+  for (Index v = 0; v < space.K.size(0); ++v) {  // X > 0: it comes in where a coordinate is 0
+    const auto x = points.subspan(static_cast<std::size_t>(v) * n, n);
+    const bool entering = std::ranges::find(x, 0.0) != x.end();
+    EXPECT_NEAR(upwind[v], entering ? 0 : expected[v], 1e-11);
+  }
+}
+
+TYPED_TEST(InteriorProducts, TransportOfDensitiesConservesTheIntegralAndStaysPositive) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space = torus<n>(n < 3 ? 6 : 3);
+  const InteriorProduct i_X(space.K, space.g, wavy<n>, Trace::upwind, 2);
+  PrimalForm<n, n> density(space.K);
+  density[0] = 1;
+  const double dt = i_X.cfl_bound();
+  EXPECT_GT(dt, 0);
+  for (int step = 0; step < 10; ++step) {
+    density -= dt * lie_derivative(i_X, density);
+    EXPECT_NEAR(integral(density), 1, 1e-14);
+    EXPECT_GE(std::ranges::min(density.values()), -1e-15) << "step " << step;
+  }
+}
+
+/// Beyond the bound the top simplex that empties fastest has less than nothing left.
+TYPED_TEST(InteriorProducts, CflBoundIsSharpForConstantFields) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space = torus<n>();
+  const Vector X = constant(n);
+  const InteriorProduct i_X(space.K, space.g, [&X](Point) { return Vector(X); }, Trace::upwind, 0);
+  if constexpr (n < 4) {
+    double fastest = 0;
+    for (Index t = 0; t < space.K.size(n); ++t) {
+      PrimalForm<n, n> one(space.K);
+      one[t] = 1;
+      fastest = std::max(fastest, lie_derivative(i_X, one)[t]);
+    }
+    EXPECT_NEAR(fastest * i_X.cfl_bound(), 1, 1e-12);
+  }
+}
+
+TYPED_TEST(InteriorProducts, TransportOfFunctionsKeepsTheirRange) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space = torus<n>(n < 3 ? 6 : 3);
+  const InteriorProduct i_X(space.K, space.g, wavy<n>, Trace::upwind, 0);
+  PrimalForm<n, 0> f(space.K);
+  f[0] = 1;
+  for (int step = 0; step < 10; ++step) {
+    f -= i_X.cfl_bound() * lie_derivative(i_X, f);
+    EXPECT_GE(std::ranges::min(f.values()), -1e-14);
+    EXPECT_LE(std::ranges::max(f.values()), 1 + 1e-14);
+  }
+}
+
+/// Translation along a constant field, every degree: of first order in h.
+TEST(UpwindTransport, IsOfFirstOrderInThePlane) {
+  const double pi = std::numbers::pi, time = 0.2;
+  const auto error = [&]<int k>(std::integral_constant<int, k>, Index cells) {
+    Space<2> space(meshes::periodic_box(2, cells, {.jitter = 0.2}));
+    orient_by_volume(space.K, space.g);
+    const DeRhamMap<2> R(space.K, space.g, 4);
+    const auto at = [&](double t) {
+      return R.components<k>([t, pi](Point x) {
+        const double f = 2 + std::sin(2 * pi * (x[0] - t)) * std::cos(2 * pi * (x[1] - 0.5 * t));
+        return k == 1 ? Vector{f, 1 - f * f / 4} : Vector{f};
+      });
+    };
+    const InteriorProduct i_X(space.K, space.g, [](Point) { return Vector{1, 0.5}; }, Trace::upwind, 0);
+    const int steps = static_cast<int>(std::ceil(time / (0.5 * i_X.cfl_bound())));
+    auto w = at(0);
+    for (int step = 0; step < steps; ++step) w -= time / steps * lie_derivative(i_X, w);
+    const auto difference = w - at(time);
+    double sum = 0;
+    for (const double x : difference.values()) sum += x * x;
+    return std::sqrt(sum / static_cast<double>(difference.size())) * std::pow(static_cast<double>(cells), k);
+  };
+  const auto expect = [&](auto k) { EXPECT_GT(error(k, 12) / error(k, 24), 1.5) << "degree " << k(); };
+  expect(std::integral_constant<int, 0>());
+  expect(std::integral_constant<int, 1>());
+  expect(std::integral_constant<int, 2>());
+}
+
+TYPED_TEST(InteriorProducts, HaveTheSameBitsOnAnyNumberOfThreads) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space = torus<n>(n == 1 ? 500 : n == 2 ? 12 : n == 3 ? 5 : 3);
+  const InteriorProduct i_X(space.K, space.g, wavy<n>, Trace::upwind, 1);
+  const auto w = random_form<n, n>(space.K, 1);
+  const int before = thread_count();
+  set_thread_count(1);
+  const auto one = i_X(w);
+  for (const int threads : {2, 4}) {
+    set_thread_count(threads);
+    EXPECT_EQ(i_X(w), one);
+  }
+  set_thread_count(before);
+}
+
+TYPED_TEST(InteriorProducts, AlgebraicOnesOfDualFormsAreExactOnConstants) {
+  constexpr int n = TypeParam::value;
+  Space<n> space(test::generic_mesh<n>(1));
+  orient_by_volume(space.K, space.g);
+  const HodgeStar<n> star(space.K, space.g);
+  const Vector X = constant(n);
+  Vector Y(n);
+  for (std::size_t i = 0; i < n; ++i) Y[i] = 1 + static_cast<double>(i);
+  double product = 0;
+  for (std::size_t i = 0; i < n; ++i) product += X[i] * Y[i];
+  const auto X_flat = DeRhamMap<n>(space.K, space.g, 0).circulation([&X](Point) { return Vector(X); });
+  Vector everywhere;
+  for (Index t = 0; t < space.K.size(n); ++t) everywhere.insert(everywhere.end(), Y.begin(), Y.end());
+  const auto scalar = interior_product(star, X_flat, dpd_flat(space.K, space.g, everywhere));
+  for (const double value : scalar.values()) EXPECT_NEAR(value, product, 1e-8);  // i_X Y♭ = X·Y, so i_∂x dx = +1
+  for_each_degree<n - 1>([&]<int j>() {
+    if constexpr (j >= 1) {  // dual (j+1)-forms, and once more
+      const auto w = star(constant_form<n - j - 1>(space));
+      const auto twice = interior_product(star, X_flat, interior_product(star, X_flat, w));
+      EXPECT_LT(distance(star(twice), PrimalForm<n, n - j + 1>(space.K)), 1e-9) << "degree " << j + 1;
+    }
+  });
+}
+
+TYPED_TEST(InteriorProducts, AlgebraicOneOfTheVolumeFormIsTheFlux) {
+  constexpr int n = TypeParam::value;
+  Space<n> space(test::generic_mesh<n>(2));
+  orient_by_volume(space.K, space.g);
+  const HodgeStar<n> star(space.K, space.g);
+  const Vector X = constant(n);
+  const DeRhamMap<n> R(space.K, space.g, 0);
+  Vector everywhere;
+  for (Index t = 0; t < space.K.size(n); ++t) everywhere.insert(everywhere.end(), X.begin(), X.end());
+  const auto i_X = interior_product(star, dpd_flat(space.K, space.g, everywhere), R.density([](Point) { return 1; }));
+  EXPECT_LT(distance(i_X, R.flux([&X](Point) { return Vector(X); })), 1e-9);
+}
+
+TEST(AlgebraicInteriorProduct, InThePlaneOfPrimalOneForms) {
+  Space<2> space(meshes::a_star_lattice(2, 4));
+  orient_by_volume(space.K, space.g);
+  const HodgeStar<2> star(space.K, space.g);
+  Vector X;
+  for (Index t = 0; t < space.K.size(2); ++t) X.insert(X.end(), {1, 0});
+  const auto dx = DeRhamMap<2>(space.K, space.g, 0).circulation([](Point) { return Vector{1, 0}; });
+  const auto i_X = interior_product(star, dpd_flat(space.K, space.g, X), dx);
+  for (const double value : i_X.values()) EXPECT_NEAR(value, 1, 1e-12);
+}
+
+TEST(InteriorProductErrors, AreNamed) {
+  const Space<2> space(test::generic_mesh<2>(1));
+  const auto make = [](const Space<2>& s, int order) {
+    return InteriorProduct(s.K, s.g, wavy<2>, Trace::mean, order);
+  };
+  EXPECT_THROW((void)make(space, -1), InputError);
+  EXPECT_THROW((void)make(Space<2>(test::generic_mesh<2>(1), squared_lengths(space.K, space.g)), 1), GeometryError);
+  const InteriorProduct short_one(space.K, space.g, [](Point) { return Vector{1}; }, Trace::mean, 1);
+  EXPECT_THROW((void)short_one(PrimalForm<2, 1>(space.K)), InputError);
+}
+
+}  // namespace
+}  // namespace derham
