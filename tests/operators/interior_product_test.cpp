@@ -41,7 +41,8 @@ double on_vectors(int m, std::span<const double> vectors) {
   std::array<const double*, static_cast<std::size_t>(k)> rows{};
   for (std::size_t i = 0; i < k; ++i) rows[i] = vectors.data() + i * static_cast<std::size_t>(m);
   double sum = 0;
-  for (std::size_t i = 0; i < columns.size(); ++i) sum += (1.0 + static_cast<double>(i)) * minor_of<k>(rows, columns[i]);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    sum += (1.0 + static_cast<double>(i)) * minor_of<k>(rows, columns[i]);
   return sum;
 }
 
@@ -84,7 +85,8 @@ TYPED_TEST(InteriorProducts, OfConstantsAreExact) {
   constexpr int n = TypeParam::value;
   const auto expect = [](const Space<n>& space, Trace trace) {
     const Vector X = constant(space.g.ambient_dimension());
-    const InteriorProduct i_X(space.K, space.g, [&X](Point) -> const Vector& { return X; }, trace, 0);
+    const InteriorProduct i_X(
+        space.K, space.g, [&X](Point) -> const Vector& { return X; }, trace, 0);
     for_each_degree<n - 1>([&]<int j>() {
       const auto w = constant_form<j + 1>(space);
       EXPECT_LT(distance(i_X(w), contracted<j + 1>(space, X)), 1e-11) << "degree " << j + 1;
@@ -160,7 +162,8 @@ TYPED_TEST(InteriorProducts, CflBoundIsSharpForConstantFields) {
   constexpr int n = TypeParam::value;
   const Space<n> space = torus<n>();
   const Vector X = constant(n);
-  const InteriorProduct i_X(space.K, space.g, [&X](Point) { return Vector(X); }, Trace::upwind, 0);
+  const InteriorProduct i_X(
+      space.K, space.g, [&X](Point) { return Vector(X); }, Trace::upwind, 0);
   if constexpr (n < 4) {
     double fastest = 0;
     for (Index t = 0; t < space.K.size(n); ++t) {
@@ -198,7 +201,12 @@ TEST(UpwindTransport, IsOfFirstOrderInThePlane) {
         return k == 1 ? Vector{f, 1 - f * f / 4} : Vector{f};
       });
     };
-    const InteriorProduct i_X(space.K, space.g, [](Point) { return Vector{1, 0.5}; }, Trace::upwind, 0);
+    const InteriorProduct i_X(
+        space.K, space.g,
+        [](Point) {
+          return Vector{1, 0.5};
+        },
+        Trace::upwind, 0);
     const int steps = static_cast<int>(std::ceil(time / (0.5 * i_X.cfl_bound())));
     auto w = at(0);
     for (int step = 0; step < steps; ++step) w -= time / steps * lie_derivative(i_X, w);
@@ -278,12 +286,11 @@ TEST(AlgebraicInteriorProduct, InThePlaneOfPrimalOneForms) {
 
 TEST(InteriorProductErrors, AreNamed) {
   const Space<2> space(test::generic_mesh<2>(1));
-  const auto make = [](const Space<2>& s, int order) {
-    return InteriorProduct(s.K, s.g, wavy<2>, Trace::mean, order);
-  };
+  const auto make = [](const Space<2>& s, int order) { return InteriorProduct(s.K, s.g, wavy<2>, Trace::mean, order); };
   EXPECT_THROW((void)make(space, -1), InputError);
   EXPECT_THROW((void)make(Space<2>(test::generic_mesh<2>(1), squared_lengths(space.K, space.g)), 1), GeometryError);
-  const InteriorProduct short_one(space.K, space.g, [](Point) { return Vector{1}; }, Trace::mean, 1);
+  const InteriorProduct short_one(
+      space.K, space.g, [](Point) { return Vector{1}; }, Trace::mean, 1);
   EXPECT_THROW((void)short_one(PrimalForm<2, 1>(space.K)), InputError);
 }
 

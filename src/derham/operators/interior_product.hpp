@@ -113,7 +113,8 @@ class InteriorProduct {
     std::vector<double> rate(static_cast<std::size_t>(complex_->size(n)));
     parallel_blocks(complex_->size(n), 128, [&](Offset begin, Offset end) {
       Local<1> local(geometry_->coordinate_dimension());
-      for (auto t = static_cast<Index>(begin); t < end; ++t) rate[static_cast<std::size_t>(t)] = leaving_rate(t, rule, local);
+      for (auto t = static_cast<Index>(begin); t < end; ++t)
+        rate[static_cast<std::size_t>(t)] = leaving_rate(t, rule, local);
     });
     const double fastest = rate.empty() ? 0 : *std::ranges::max_element(rate);
     return fastest > 0 ? 1 / fastest : std::numeric_limits<double>::infinity();
@@ -129,8 +130,8 @@ class InteriorProduct {
   template <int k>
   struct Local {
     explicit Local(int d)
-        : whitney(d), frame(d), columns(subsets<k>(d)), components(columns.size()), edges(static_cast<std::size_t>(k * d)),
-          x(static_cast<std::size_t>(d)) {}
+        : whitney(d), frame(d), columns(subsets<k>(d)), components(columns.size()),
+          edges(static_cast<std::size_t>(k * d)), x(static_cast<std::size_t>(d)) {}
     detail::WhitneySimplex<n, k> whitney;
     SimplexFrame<n> frame;
     std::vector<std::array<int, static_cast<std::size_t>(k)>> columns;
@@ -145,7 +146,8 @@ class InteriorProduct {
       for (std::size_t v = 0; v <= n; ++v) x[c] += lambda[v] * corners[v][c];
     }
     const auto value = field_(std::span<const double>(x));
-    if (value.size() != x.size()) throw InputError(text("a field of ", value.size(), " components; expected ", x.size()));
+    if (value.size() != x.size())
+      throw InputError(text("a field of ", value.size(), " components; expected ", x.size()));
     for (std::size_t c = 0; c < x.size(); ++c) to[c] = value[c];
   }
 
@@ -186,7 +188,8 @@ class InteriorProduct {
 
   /// The largest cosine of X with the ∇λ_v that vanish on s: not positive if X comes from inside.
   template <int k>
-  [[nodiscard]] double upstream(const Local<k>& local, const std::array<std::size_t, static_cast<std::size_t>(k)>& place) const {
+  [[nodiscard]] double upstream(const Local<k>& local,
+                                const std::array<std::size_t, static_cast<std::size_t>(k)>& place) const {
     const std::size_t d = local.x.size();
     double speed = 0, largest = -1;
     for (std::size_t c = 0; c < d; ++c) speed += local.edges[c] * local.edges[c];
