@@ -5,6 +5,7 @@
 #include "derham/meshes/lattices.hpp"
 #include "derham/operators/whitney_mass.hpp"
 #include "operators/spaces.hpp"
+#include "support/random_values.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
@@ -82,6 +83,30 @@ TEST(StarReports, MeasureConstantForms) {
   EXPECT_LT(star_report(whitney_mass(space.K, space.g, 1), space.K, space.g, 1).constant_error, 1e-12);
   const Space<2> raised(test::moved(meshes::box(2, 2), 3, 1, 1, 1));
   EXPECT_TRUE(std::isnan(star_report(HodgeStar<2>(raised.K, raised.g), raised.g, 1).constant_error));
+}
+
+// No boundary: exact for all weights. Cells that are not orthogonal to their simplices are not, and are warned about.
+TYPED_TEST(StarReports, PowerStarsAreConsistentAndBarycentricOnesAreWarnedAbout) {
+  constexpr int n = TypeParam::value;
+  const Space<n> torus(meshes::periodic_box(n, 3, {.jitter = 0.4 / n}));
+  auto weights = support::random_values(torus.K.size(0), 1);
+  for (double& w : weights) w *= 0.01;
+  const Material twice{.values = {2}};
+  const HodgeStar<n> power(torus.K, torus.g, PowerCircumcentric{weights}, twice),
+      barycentric(torus.K, torus.g, Barycentric{}), lumped(torus.K, torus.g, Lumped{});
+  for (int k = 0; k <= n; ++k) {
+    EXPECT_LT(star_report(power, torus.g, k, twice).constant_error, 1e-12);
+    EXPECT_GT(star_report(power, torus.g, k).constant_error, 0.9) << "another material";
+    const auto report = star_report(barycentric, torus.g, k);
+    EXPECT_EQ(report.definiteness, Definiteness::positive);
+    const bool ends = k == 0 || k == n;
+    EXPECT_EQ(report.advice.find("not consistent") != std::string::npos, !ends) << report.advice;
+    EXPECT_EQ(report.constant_error > 0.01, !ends) << report.constant_error;
+    if (ends)
+      EXPECT_LT(star_report(lumped, torus.g, k).constant_error, 1e-12);
+    else
+      EXPECT_THROW((void)star_report(lumped, torus.g, k), InputError);
+  }
 }
 
 TEST(StarReports, DoNotCallIndefiniteMaterialsPositive) {

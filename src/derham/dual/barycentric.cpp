@@ -1,4 +1,5 @@
 #include "derham/dual/circumcentric.hpp"
+#include "derham/dual/power.hpp"
 #include "derham/geometry/simplex_metric.hpp"
 
 #include <array>
@@ -58,8 +59,10 @@ double barycentric_share(const std::array<Point<n>, n + 1>& corner, unsigned mas
 }  // namespace
 
 template <int n>
-ByDegree<n> barycentric_dual_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
+ByDegree<n> barycentric_dual_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geometry,
+                                     const Material& material) {
   geometry.require_fits(K);
+  require_numbers(material, K, geometry);
   ByDegree<n> result;
   for (int k = 0; k <= n; ++k) result[k].assign(static_cast<std::size_t>(K.size(k)), 0.0);
   const int d = geometry.coordinate_dimension();
@@ -72,13 +75,13 @@ ByDegree<n> barycentric_dual_volumes(const SimplicialComplex<n>& K, const Geomet
     const auto index = face_indices(K, t);
     for (unsigned mask = 1; mask <= full_mask<n>; ++mask)
       result[mask_degree(mask)][index[mask]] +=
-          in_units(barycentric_share<n>(corner, mask, chain), metric.unit, n - mask_degree(mask));
+          *material.of(t) * in_units(barycentric_share<n>(corner, mask, chain), metric.unit, n - mask_degree(mask));
   }
   return result;
 }
 
 #define DERHAM_INSTANTIATE(n) \
-  template ByDegree<n> barycentric_dual_volumes<n>(const SimplicialComplex<n>&, const Geometry<n>&);
+  template ByDegree<n> barycentric_dual_volumes<n>(const SimplicialComplex<n>&, const Geometry<n>&, const Material&);
 DERHAM_INSTANTIATE(0)
 DERHAM_INSTANTIATE(1)
 DERHAM_INSTANTIATE(2)

@@ -2,6 +2,7 @@
 
 #include "derham/complex/simplicial_complex.hpp"
 #include "derham/geometry/geometry.hpp"
+#include "derham/geometry/material.hpp"
 #include "derham/geometry/volumes.hpp"
 
 #include <cmath>
@@ -50,9 +51,11 @@ template <int n>
 
 /// Volumes of the barycentric dual cells: the cells whose corners are barycentres. All positive, even where simplices
 /// are flat. Use them for k = 0 and k = n only: for 0 < k < n these cells are not orthogonal to their simplices, and
-/// the diagonal star made of them does not converge.
-/// Law      Σ |σ^k| D(σ^k) = C(n,k) |M| for k = 0 and k = n only
+/// the diagonal star made of them does not converge. A material weighs the parts of the cells in the top simplices.
+/// Law      Σ |σ^k| D(σ^k) = C(n,k) Σ a_T |T| for k = 0 and k = n only
+/// Throws   InputError if the material does not fit, or holds tensors
 template <int n>
-[[nodiscard]] ByDegree<n> barycentric_dual_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
+[[nodiscard]] ByDegree<n> barycentric_dual_volumes(const SimplicialComplex<n>& K, const Geometry<n>& geometry,
+                                                   const Material& material = {});
 
 }  // namespace derham

@@ -7,7 +7,9 @@
 #include "derham/dual/circumcentric.hpp"
 #include "derham/dual/dual_recursion.hpp"
 #include "derham/dual/kept_volumes.hpp"
+#include "derham/dual/power.hpp"
 #include "derham/geometry/naming.hpp"
+#include "derham/geometry/top_volumes.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -82,14 +84,33 @@ void refuse(const SimplicialComplex<n>& K, const CircumcentricDual<n>& volumes) 
     }
 }
 
-}  // namespace
-
 template <int n>
-HodgeStar<n>::HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geometry) : complex_(&K) {
+void require_orientable(const SimplicialComplex<n>& K) {
   if (!K.is_orientable())
     throw TopologyError(
         text("the Hodge star needs an orientable complex; orientation is reversed along the closed walk ", "of ",
              K.orientation().one_sided.size(), " top simplices ", simplices_text<n>(K, n, K.orientation().one_sided)));
+}
+
+/// The dual volumes of the kind.
+template <int n>
+CircumcentricDual<n> dual_of(const SimplicialComplex<n>& K, const Geometry<n>& geometry, const StarKind& kind,
+                             const Material& material) {
+  if (const auto* power = std::get_if<PowerCircumcentric>(&kind))
+    return power_dual(K, geometry, power->weights, material);
+  if (std::holds_alternative<Circumcentric>(kind)) return power_dual(K, geometry, {}, material);
+  CircumcentricDual<n> result;
+  result.primal = primal_volumes(K, geometry);
+  result.dual = barycentric_dual_volumes(K, geometry, material);
+  result.degenerate = top_volumes(K, geometry).degenerate;
+  return result;
+}
+
+}  // namespace
+
+template <int n>
+HodgeStar<n>::HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geometry) : complex_(&K) {
+  require_orientable(K);
   KeptStars<n> sink(K, diagonal_);
   detail::DualRecursion recursion(K, geometry, sink);
   recursion.run();
@@ -97,8 +118,30 @@ HodgeStar<n>::HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geomet
 }
 
 template <int n>
+HodgeStar<n>::HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geometry, StarKind kind,
+                        const Material& material)
+    : complex_(&K), kind_(std::move(kind)) {
+  const bool has_material = material.width != 0 || material.values != std::vector<double>{1.0};
+  if (std::holds_alternative<Circumcentric>(kind_) && !has_material) {
+    *this = HodgeStar(K, geometry);
+    return;
+  }
+  require_orientable(K);
+  const auto volumes = dual_of(K, geometry, kind_, material);
+  refuse(K, volumes);
+  for (int k = 0; k <= n; ++k) {
+    diagonal_[k].resize(volumes.dual[k].size());
+    std::ranges::transform(volumes.dual[k], volumes.primal[k], diagonal_[k].begin(), star_entry);
+  }
+}
+
+template <int n>
 std::span<const double> HodgeStar<n>::diagonal(int k) const {
   if (k < 0 || k > n) throw InputError(text("a Hodge star of degree ", k, "; degrees are 0 to ", n));
+  if (k != 0 && k != n && std::holds_alternative<Lumped>(kind_))
+    throw InputError(text("a lumped Hodge star of degree ", k, " in dimension ", n,
+                          " does not converge; only degrees 0 and ", n,
+                          " have one: use Circumcentric{} or whitney_mass"));
   return diagonal_[static_cast<std::size_t>(k)];
 }
 

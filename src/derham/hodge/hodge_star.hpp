@@ -4,7 +4,9 @@
 #include "derham/core/error.hpp"
 #include "derham/forms/form.hpp"
 #include "derham/geometry/geometry.hpp"
+#include "derham/geometry/material.hpp"
 #include "derham/geometry/volumes.hpp"
+#include "derham/hodge/star_kind.hpp"
 
 #include <span>
 #include <vector>
@@ -13,10 +15,12 @@ namespace derham {
 
 /// The diagonal Hodge star of every degree: where metric meets topology. K must outlive it.
 ///
-/// star[i] = vol(dual cell of simplex i) / vol(simplex i), signed: the integral density of a form is kept.
+/// star[i] = vol(dual cell of simplex i) / vol(simplex i), signed: the integral density of a form is kept. The dual cells are
+/// circumcentric, or of another StarKind. A material, a number a_T for every top simplex T, weighs the part of every dual cell
+/// in T with a_T, in every degree: for k = 1 as conductances side by side, for k = n-1 as resistances in a row.
 /// Maps     primal k-form -> dual (n-k)-form        Shape   (|K_k|,) the diagonal
 /// Matrix   diagonal; all entries positive iff no dual volume is zero or negative (see dual_report)
-/// Units    length^(n-2k)
+/// Units    length^(n-2k), times the material's
 /// Source   Elcott & Schröder, "Building your own DEC at home", §6.2; Hirani 2003, §4.1
 template <int n>
 class HodgeStar {
@@ -27,9 +31,16 @@ class HodgeStar {
   HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geometry);
   HodgeStar(SimplicialComplex<n>&&, const Geometry<n>&) = delete;
 
-  [[nodiscard]] const SimplicialComplex<n>& complex() const noexcept { return *complex_; }
+  /// The star of a kind: `HodgeStar<3>(K, geometry, PowerCircumcentric{weights}, material)`.
+  /// Cost     that of the dual volumes: power_dual, barycentric_dual_volumes; for Circumcentric{} without a material as above
+  /// Throws   as above; InputError if weights or material do not fit, or the material holds tensors
+  HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geometry, StarKind kind, const Material& material = {});
+  HodgeStar(SimplicialComplex<n>&&, const Geometry<n>&, StarKind, const Material& = {}) = delete;
 
-  /// The diagonal of degree k, shape (|K_k|,). Throws InputError unless 0 <= k <= n.
+  [[nodiscard]] const SimplicialComplex<n>& complex() const noexcept { return *complex_; }
+  [[nodiscard]] const StarKind& kind() const noexcept { return kind_; }
+
+  /// The diagonal of degree k, shape (|K_k|,). Throws InputError unless 0 <= k <= n, and k is 0 or n if the star is lumped.
   [[nodiscard]] std::span<const double> diagonal(int k) const;
 
   /// 1/star[i], shape (|K_k|,). Throws GeometryError naming the k-simplices whose dual volume is zero.
@@ -88,6 +99,7 @@ class HodgeStar {
   void apply_inverse(int k, bool minus, std::span<const double> x, std::span<double> y, Index columns) const;
 
   const SimplicialComplex<n>* complex_;
+  StarKind kind_;
   ByDegree<n> diagonal_;
 };
 

@@ -119,13 +119,38 @@ std::string ill_conditioned(double condition) {
              : std::string();
 }
 
+/// The warning of a barycentric star.
+template <int n>
+std::string inconsistent(const StarKind& kind, int k, double error) {
+  if (!std::holds_alternative<Barycentric>(kind) || k == 0 || k == n) return {};
+  return text("barycentric dual cells are not orthogonal to the ", k, "-simplices: this star is not consistent",
+              std::isnan(error) ? std::string() : text(" (error ", error, " on constant forms)"),
+              ", and what is solved with it does not converge; use whitney_mass or Circumcentric{}");
+}
+
+template <int n>
+std::string diagonal_advice(const SimplicialComplex<n>& K, const StarReport& report) {
+  const int k = report.degree;
+  if (!report.negative.empty())
+    return text(report.negative.size(), " dual volumes are negative, those of ",
+                simplices_text<n>(K, k, report.negative),
+                ": no energy and no stable time step; use whitney_mass, weights that make them positive "
+                "(hot_weights), or a Delaunay mesh");
+  if (!report.zero.empty())
+    return text(report.zero.size(), " dual volumes are zero, those of ", simplices_text<n>(K, k, report.zero),
+                ": there is no inverse; use whitney_mass, a form without the inverse, weights that make them positive "
+                "(hot_weights), or a well-centred mesh");
+  return ill_conditioned(report.condition);
+}
+
 }  // namespace
 
 template <int n>
-StarReport star_report(const HodgeStar<n>& star, const Geometry<n>& geometry, int k) {
+StarReport star_report(const HodgeStar<n>& star, const Geometry<n>& geometry, int k, const Material& material) {
   require_degree(n, k);
   const auto& K = star.complex();
   geometry.require_fits(K);
+  require_fits(material, K, geometry);
   const VectorXd diagonal = Eigen::Map<const VectorXd>(star.diagonal(k).data(), K.size(k));
   StarReport report = of_diagonal(k, diagonal);
   if (report.definiteness != Definiteness::not_positive) {
@@ -133,16 +158,9 @@ StarReport star_report(const HodgeStar<n>& star, const Geometry<n>& geometry, in
     report.condition = report.largest / report.smallest;
   }
   report.constant_error = constant_error(
-      K, geometry, k, {}, [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd { return diagonal.asDiagonal() * x; });
-  if (!report.negative.empty())
-    report.advice =
-        text(report.negative.size(), " dual volumes are negative, those of ", simplices_text<n>(K, k, report.negative),
-             ": no energy and no stable time step; use whitney_mass, or a Delaunay mesh");
-  else if (!report.zero.empty())
-    report.advice = text(report.zero.size(), " dual volumes are zero, those of ", simplices_text<n>(K, k, report.zero),
-                         ": there is no inverse; use whitney_mass, a form without the inverse, or a well-centred mesh");
-  else
-    report.advice = ill_conditioned(report.condition);
+      K, geometry, k, material, [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd { return diagonal.asDiagonal() * x; });
+  report.advice = inconsistent<n>(star.kind(), k, report.constant_error);
+  if (report.advice.empty()) report.advice = diagonal_advice(K, report);
   return report;
 }
 
@@ -175,7 +193,7 @@ StarReport star_report(const Eigen::SparseMatrix<double, Eigen::RowMajor>& mass,
 }
 
 #define DERHAM_INSTANTIATE(n)                                                                                       \
-  template StarReport star_report(const HodgeStar<n>&, const Geometry<n>&, int);                                    \
+  template StarReport star_report(const HodgeStar<n>&, const Geometry<n>&, int, const Material&);                   \
   template StarReport star_report(const Eigen::SparseMatrix<double, Eigen::RowMajor>&, const SimplicialComplex<n>&, \
                                   const Geometry<n>&, int, const Material&);
 DERHAM_INSTANTIATE(1)

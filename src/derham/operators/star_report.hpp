@@ -2,8 +2,8 @@
 
 #include "derham/complex/simplicial_complex.hpp"
 #include "derham/geometry/geometry.hpp"
+#include "derham/geometry/material.hpp"
 #include "derham/hodge/hodge_star.hpp"
-#include "derham/operators/material.hpp"
 
 #include <Eigen/SparseCore>
 
@@ -43,11 +43,12 @@ struct StarReport {
   std::string advice;
 };
 
-/// Judges the signed circumcentric diagonal of degree k.
+/// Judges the diagonal of degree k of a star of any kind that was made with the same geometry and material.
 /// Cost     a few passes over the k-simplices
-/// Throws   InputError unless 0 <= k <= n and the geometry belongs to the complex of the star
+/// Throws   InputError unless 0 <= k <= n, the star has this degree, and geometry and material belong to its complex
 template <int n>
-[[nodiscard]] StarReport star_report(const HodgeStar<n>& star, const Geometry<n>& geometry, int k);
+[[nodiscard]] StarReport star_report(const HodgeStar<n>& star, const Geometry<n>& geometry, int k,
+                                     const Material& material = {});
 
 /// Judges the mass matrix that `whitney_mass` made with the same arguments. It is positive if the material is on every top
 /// simplex.

@@ -2,7 +2,7 @@
 
 #include "derham/complex/simplicial_complex.hpp"
 #include "derham/geometry/geometry.hpp"
-#include "derham/operators/material.hpp"
+#include "derham/geometry/material.hpp"
 
 #include <Eigen/SparseCore>
 

@@ -1,4 +1,4 @@
-#include "derham/operators/material.hpp"
+#include "derham/geometry/material.hpp"
 
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
