@@ -71,7 +71,7 @@ TYPED_TEST(PowerDual, VolumeIdentityForAllWeightsAndMaterials) {
   for (const MeshData& data : {meshes::box(n, 3, {.jitter = 0.8 / n}), meshes::periodic_box(n, 3, {.jitter = 0.8 / n}),
                                test::moved(meshes::box(n, 2, {.jitter = 0.2}), n + 1, 1e-3, 1e-3, 1)}) {
     const Mesh<n> mesh(data);
-    const double length = std::pow(total_volume(mesh.K, mesh.g) / mesh.K.size(n), 1.0 / n);
+    const double length = std::pow(total_volume(mesh.K, mesh.g) / static_cast<double>(mesh.K.size(n)), 1.0 / n);
     const auto weights = random_weights(mesh.K.size(0), length * length / 5);
     const Material material{.values = support::random_values(mesh.K.size(n), 2)};
     const auto dual = power_dual(mesh.K, mesh.g, weights, material);

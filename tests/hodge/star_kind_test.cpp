@@ -34,8 +34,7 @@ TYPED_TEST(StarKinds, TheCircumcentricStarIsTheStar) {
   constexpr int n = TypeParam::value;
   const Mesh<n> mesh(meshes::box(n, 3, {.jitter = 0.5 / n}));
   const HodgeStar<n> star(mesh.K, mesh.g), same(mesh.K, mesh.g, Circumcentric{}),
-      power(mesh.K, mesh.g, PowerCircumcentric{}),
-      twice(mesh.K, mesh.g, Circumcentric{}, Material{.values = {2}});
+      power(mesh.K, mesh.g, PowerCircumcentric{}), twice(mesh.K, mesh.g, Circumcentric{}, Material{.values = {2}});
   for (int k = 0; k <= n; ++k) {
     EXPECT_EQ(list(same.diagonal(k)), list(star.diagonal(k)));
     for (Index i = 0; i < mesh.K.size(k); ++i) {

@@ -49,8 +49,7 @@ class PowerRecursion {
   template <int k>
   [[nodiscard]] Heights<k> measure(Index i, double* edges) const {
     const auto corners = geometry_.template corners<k>(complex_, i);
-    const detail::PowerSimplex<k> simplex(
-        detail::frame_of<k>(corners, geometry_.coordinate_dimension(), unit_, edges));
+    const detail::PowerSimplex<k> simplex(detail::frame_of<k>(corners, geometry_.coordinate_dimension(), unit_, edges));
     typename detail::PowerSimplex<k>::Row weight{};
     const auto vertices = complex_.template simplex<k>(i);
     if (!weights_.empty())
@@ -155,10 +154,10 @@ CircumcentricDual<n> power_dual(const SimplicialComplex<n>& K, const Geometry<n>
   return result;
 }
 
-#define DERHAM_INSTANTIATE(n)                                                                                   \
-  template CircumcentricDual<n> power_dual(const SimplicialComplex<n>&, const Geometry<n>&,                      \
-                                           std::span<const double>, const Material&);                           \
-  template void require_weights(std::span<const double>, const SimplicialComplex<n>&);                          \
+#define DERHAM_INSTANTIATE(n)                                                                                        \
+  template CircumcentricDual<n> power_dual(const SimplicialComplex<n>&, const Geometry<n>&, std::span<const double>, \
+                                           const Material&);                                                         \
+  template void require_weights(std::span<const double>, const SimplicialComplex<n>&);                               \
   template void require_numbers(const Material&, const SimplicialComplex<n>&, const Geometry<n>&);
 DERHAM_INSTANTIATE(0)
 DERHAM_INSTANTIATE(1)

@@ -15,9 +15,9 @@ template <int k>
 struct PowerSimplex {
   using Row = std::array<double, static_cast<std::size_t>(k) + 1>;
 
-  CircumcentricSimplex<k> zero{};                                 ///< for weights 0
-  double off_center = 0;                                          ///< |circumcentre - barycentre|²
-  std::array<Row, static_cast<std::size_t>(k) + 1> products{};    ///< ⟨∇λ_i, ∇λ_j⟩
+  CircumcentricSimplex<k> zero{};                               ///< for weights 0
+  double off_center = 0;                                        ///< |circumcentre - barycentre|²
+  std::array<Row, static_cast<std::size_t>(k) + 1> products{};  ///< ⟨∇λ_i, ∇λ_j⟩
 
   /// From triangular coordinates (corner 0 at the origin, corner i+1 at row i).
   explicit PowerSimplex(const TriangularMatrix<k>& r) noexcept : zero(circumcentric<k>(r)) {
@@ -49,8 +49,9 @@ struct PowerSimplex {
 
 /// Triangular coordinates of a simplex, in `unit`s. `edges` is a place for k*d numbers.
 template <int k>
-[[nodiscard]] inline TriangularMatrix<k> frame_of(const std::array<const double*, static_cast<std::size_t>(k) + 1>& corners,
-                                                  int d, double unit, double* edges) noexcept {
+[[nodiscard]] inline TriangularMatrix<k> frame_of(
+    const std::array<const double*, static_cast<std::size_t>(k) + 1>& corners, int d, double unit,
+    double* edges) noexcept {
   TriangularMatrix<k> r{};
   for (std::size_t i = 0; i < k; ++i)
     for (int c = 0; c < d; ++c) edges[static_cast<int>(i) * d + c] = (corners[i + 1][c] - corners[0][c]) / unit;
