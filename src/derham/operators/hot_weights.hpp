@@ -42,6 +42,7 @@ struct HotWeights {
 /// Throws   InputError unless 0 < margin < 1; GeometryError naming flat top simplices
 /// Source   Mullen, Memari, de Goes, Desbrun, "HOT: Hodge-optimized triangulations", 2011 (the energy of n-forms)
 template <int n>
-[[nodiscard]] HotWeights<n> hot_weights(const SimplicialComplex<n>& K, const Geometry<n>& geometry, double margin = 0.02);
+[[nodiscard]] HotWeights<n> hot_weights(const SimplicialComplex<n>& K, const Geometry<n>& geometry,
+                                        double margin = 0.02);
 
 }  // namespace derham
