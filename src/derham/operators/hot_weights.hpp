@@ -37,7 +37,7 @@ struct HotWeights {
 /// puts into a number. Facets of a flat mesh in its own dimension with positive dual lengths make it a regular triangulation;
 /// dual volumes of all degrees are judged at the end whatever the mesh.
 /// Positive is not accurate by itself: an energy far above `energy_before` says that the mesh had to be bent far, and then the
-/// curvature of the weights acts like a material. Meshes with few bad facets keep their accuracy.
+/// curvature of the weights acts like a material.
 /// Cost     some sparse factorisations of a |V| × |V| matrix
 /// Throws   InputError unless 0 < margin < 1; GeometryError naming flat top simplices
 /// Source   Mullen, Memari, de Goes, Desbrun, "HOT: Hodge-optimized triangulations", 2011 (the energy of n-forms)
