@@ -6,6 +6,7 @@
 #include "derham/hodge/laplacian.hpp"
 #include "derham/meshes/lattices.hpp"
 #include "derham/operators/expression.hpp"
+#include "operators/own_matrix.hpp"
 #include "support/random_forms.hpp"
 
 #include <gtest/gtest.h>
@@ -17,6 +18,7 @@ using support::distance;
 using support::for_degrees;
 using support::random_form;
 using support::random_integer_form;
+using test::expect_own_matrix;
 
 /// A closed flat mesh whose dual volumes are all positive.
 template <int n>
@@ -38,15 +40,6 @@ template <int value>
 using Constant = std::integral_constant<int, value>;
 using Dimensions = testing::Types<Constant<1>, Constant<2>, Constant<3>>;
 TYPED_TEST_SUITE(Operators, Dimensions);
-
-/// The matrix composed of known ones is what comes out when the identity is fed.
-template <class From, class To>
-void expect_own_matrix(const Operator<From, To>& A) {
-  const SparseMatrix difference = A.matrix() - detail::fed_with_identity(*A.map());
-  EXPECT_LE(difference.norm(), 1e-13 * (1 + A.matrix().norm()));
-  From w(A.from(), support::random_values(A.matrix().cols(), 5));
-  EXPECT_LT(distance(A(w), A.assembled()(w)), 1e-10);
-}
 
 TYPED_TEST(Operators, HaveTheMatrixThatTheIdentityGives) {
   constexpr int n = TypeParam::value;
@@ -102,6 +95,24 @@ TYPED_TEST(Operators, ComposeToThePositiveSemidefiniteLaplacian) {
     if constexpr (k == 0) {
       EXPECT_LT(distance(laplacian(u), derham::laplacian(L.star, u)), 1e-10);
     }
+  });
+}
+
+TYPED_TEST(Operators, TransposedPairAsTheOperator) {
+  constexpr int n = TypeParam::value;
+  const Lattice<n> L;
+  const Derivative<n> d(L.K);
+  for_degrees<n - 1>([&]<int k>(Constant<k>) {
+    const Operator<PrimalForm<n, k>, PrimalForm<n, k + 1>> derivative = d;
+    const Operator<DualForm<n, n - k - 1>, DualForm<n, n - k>> dual = (k % 2 == 0 ? -1 : 1) * d;
+    const auto transpose = transposed(derivative);
+    static_assert(std::is_same_v<std::decay_t<decltype(transpose)>, std::decay_t<decltype(dual)>>);
+    EXPECT_EQ(SparseMatrix(transpose.matrix() - dual.matrix()).norm(), 0) << "degree " << k;
+    expect_own_matrix(transpose);
+    const Operator<PrimalForm<n, k>, DualForm<n, n - k - 1>> A = L.star * derivative;
+    const auto u = random_form<n, k>(L.K, 1);
+    const auto v = random_form<n, k + 1>(L.K, 2);
+    EXPECT_NEAR(pair(v, A(u)), pair(u, transposed(A)(v)), 1e-11) << "degree " << k;
   });
 }
 

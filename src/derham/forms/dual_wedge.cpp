@@ -69,20 +69,14 @@ std::vector<PolygonSide> dual_polygon(const SimplicialComplex<2>& K, const Rings
   return sides;
 }
 
-/// The product of the values of two 1-forms on the sides of a polygon.
-double polygon_product(std::span<const PolygonSide> sides, const Form<2, 1, Side::dual>& a,
-                       const Form<2, 1, Side::dual>& b) {
+/// What a ∧ b weighs the value of a on side i of a polygon with.
+double side_weight(std::span<const PolygonSide> sides, std::size_t i, const Form<2, 1, Side::dual>& b) {
   const std::size_t m = sides.size();
-  const auto value = [&](const Form<2, 1, Side::dual>& w, std::size_t i) {
-    return sides[i % m].sign * w[sides[i % m].edge];
-  };
+  const auto value = [&](std::size_t j) { return sides[j % m].sign * b[sides[j % m].edge]; };
   double sum = 0;
-  for (std::size_t s = 1; 2 * s < m; ++s) {
-    double products = 0;
-    for (std::size_t i = 0; i < m; ++i) products += value(a, i) * (value(b, i + s) - value(b, i + m - s));
-    sum += (0.5 - static_cast<double>(s) / static_cast<double>(m)) * products;
-  }
-  return sum;
+  for (std::size_t s = 1; 2 * s < m; ++s)
+    sum += (0.5 - static_cast<double>(s) / static_cast<double>(m)) * (value(i + s) - value(i + m - s));
+  return sides[i].sign * sum;
 }
 
 }  // namespace
@@ -118,13 +112,31 @@ void detail::scale_by_top_means(const SimplicialComplex<n>& K, int k, std::span<
 }
 
 Form<2, 2, Side::dual> wedge(const Form<2, 1, Side::dual>& a, const Form<2, 1, Side::dual>& b) {
-  const auto& K = a.complex();
-  if (&K != &b.complex()) throw InputError("the forms belong to different complexes");
+  if (&a.complex() != &b.complex()) throw InputError("the forms belong to different complexes");
+  const WedgeTerms terms = wedge_terms(b);
+  Form<2, 2, Side::dual> result(a.complex());
+  for (Index v = 0; v < result.size(); ++v)
+    for (auto j = static_cast<std::size_t>(terms.offsets[index(v)]);
+         j < static_cast<std::size_t>(terms.offsets[index(v) + 1]); ++j)
+      result[v] += terms.weight[j] * a[terms.index[j]];
+  return result;
+}
+
+WedgeTerms wedge_terms(const Form<2, 1, Side::dual>& b) {
+  const auto& K = b.complex();
   if (!K.is_orientable())
     throw TopologyError("the complex is not orientable, so its dual cells have no coherent orientation");
   const Rings<2> rings(K);
-  Form<2, 2, Side::dual> result(K);
-  for (Index v = 0; v < K.size(0); ++v) result[v] = polygon_product(dual_polygon(K, rings, v), a, b);
+  WedgeTerms result;
+  result.offsets.push_back(0);
+  for (Index v = 0; v < K.size(0); ++v) {
+    const auto sides = dual_polygon(K, rings, v);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      result.index.push_back(sides[i].edge);
+      result.weight.push_back(side_weight(sides, i, b));
+    }
+    result.offsets.push_back(static_cast<Offset>(result.index.size()));
+  }
   return result;
 }
 

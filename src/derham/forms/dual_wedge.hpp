@@ -2,6 +2,7 @@
 
 #include "derham/core/error.hpp"
 #include "derham/forms/form.hpp"
+#include "derham/forms/wedge.hpp"
 
 #include <span>
 
@@ -91,5 +92,9 @@ template <int n, int q>
 /// Throws   InputError as above; TopologyError if K is not orientable, or if the triangles about a vertex are no ring
 /// Source   Ptáčková & Velho, "A simple and complete discrete exterior calculus on general polygonal meshes", 2021, §3.1
 [[nodiscard]] Form<2, 2, Side::dual> wedge(const Form<2, 1, Side::dual>& a, const Form<2, 1, Side::dual>& b);
+
+/// The terms of a ∧ b of dual 1-forms a, for fixed b: one for every side of a dual polygon.
+/// Throws   as that product
+[[nodiscard]] WedgeTerms wedge_terms(const Form<2, 1, Side::dual>& b);
 
 }  // namespace derham

@@ -63,6 +63,10 @@ template <unsigned front, unsigned whole, class B>
   }(std::make_integer_sequence<int, std::popcount(front)>());
 }
 
+/// How often the values on a front and a back face are counted.
+template <int p, int q>
+constexpr double terms = static_cast<double>(factorial(p + q + 1)) / static_cast<double>(factorial(p) * factorial(q));
+
 /// The value of a ∧ b on one sorted simplex; a and b give the values on its faces, by their masks.
 template <int p, int q, class A, class B>
 [[gnu::always_inline]] inline double product(A&& a, B&& b) {
@@ -71,8 +75,25 @@ template <int p, int q, class A, class B>
   for_each_mask<p + q>([&]<unsigned front>() {
     if constexpr (mask_degree(front) == p) sum += a.template operator()<front>() * back_sum<front, whole>(b);
   });
-  constexpr Offset terms = factorial(p + q + 1) / (factorial(p) * factorial(q));
-  return sum / static_cast<double>(terms);
+  return sum / terms<p, q>;
+}
+
+/// The row of i in the face table of degree k.
+struct FaceRow {
+  const Tables& K;
+  template <int k>
+  [[gnu::always_inline]] const Index* operator()(Index i) const noexcept {
+    return K.faces[k] + static_cast<Offset>(i) * (k + 1);
+  }
+};
+
+/// Where the value on a face of m-simplex i is in its form.
+template <unsigned mask, int m>
+[[gnu::always_inline]] inline Index place(const Tables& K, Offset i, const FaceArray<m, Index>& face) noexcept {
+  if constexpr (mask_degree(mask) == 0)
+    return K.simplices[m][i * (m + 1) + std::countr_zero(mask)];
+  else
+    return face[mask];
 }
 
 template <int p, int q>
@@ -80,21 +101,40 @@ void multiply(const Tables& K, Offset simplices, const Sign* signs, const double
               const double* __restrict b, double* __restrict y) {
   constexpr int m = p + q;
   parallel_blocks(simplices, grain, [=](Offset first, Offset last) {
-    const auto row = [&]<int k>(Index i) { return K.faces[k] + static_cast<Offset>(i) * (k + 1); };
     for (Offset i = first; i < last; ++i) {
-      const Index* const vertices = K.simplices[m] + i * (m + 1);
-      const auto face = local_faces<m>(static_cast<Index>(i), row);
-      const auto value = [&]<unsigned mask>(const double* x) {
-        if constexpr (mask_degree(mask) == 0)
-          return x[vertices[std::countr_zero(mask)]];
-        else
-          return x[face[mask]];
-      };
-      const double wedge = product<p, q>([&]<unsigned mask>() { return value.template operator()<mask>(a); },
-                                         [&]<unsigned mask>() { return value.template operator()<mask>(b); });
+      const auto face = local_faces<m>(static_cast<Index>(i), FaceRow{K});
+      const double wedge = product<p, q>([&]<unsigned mask>() { return a[place<mask, m>(K, i, face)]; },
+                                         [&]<unsigned mask>() { return b[place<mask, m>(K, i, face)]; });
       y[i] = detail::negated_if(signs != nullptr && signs[i] < 0, wedge);
     }
   });
+}
+
+/// `index` and `weight` (simplices, C(p+q+1, p+1)).
+template <int p, int q>
+void weigh(const Tables& K, Offset simplices, const Sign* signs, const double* b, Index* index, double* weight) {
+  constexpr int m = p + q;
+  parallel_blocks(simplices, grain, [=](Offset first, Offset last) {
+    for (Offset i = first; i < last; ++i) {
+      const auto face = local_faces<m>(static_cast<Index>(i), FaceRow{K});
+      Offset at = i * binomial(m + 1, p + 1);
+      for_each_mask<m>([&]<unsigned front>() {
+        if constexpr (mask_degree(front) == p) {
+          const double sum =
+              back_sum<front, full_mask<m>>([&]<unsigned mask>() { return b[place<mask, m>(K, i, face)]; });
+          index[at] = place<front, m>(K, i, face);
+          weight[at++] = detail::negated_if(signs != nullptr && signs[i] < 0, sum / terms<p, q>);
+        }
+      });
+    }
+  });
+}
+
+/// Values of top degree refer to the positive orientation: one sign for each of a, b and a ∧ b that has that degree.
+template <int n>
+const Sign* signs_of_product(const SimplicialComplex<n>& K, int p, int q) {
+  const bool odd = ((p == n) + (q == n) + (p + q == n)) % 2 != 0;
+  return odd ? K.orientation().sign.data() : nullptr;
 }
 
 }  // namespace
@@ -107,9 +147,7 @@ void apply_wedge(const SimplicialComplex<n>& K, int p, std::span<const double> a
   detail::require_shape("a", a.size(), K.size(p), 1);
   detail::require_shape("b", b.size(), K.size(q), 1);
   detail::require_shape("y", y.size(), K.size(p + q), 1);
-  // Values of top degree refer to the positive orientation: one sign for each of a, b and y that has that degree.
-  const bool odd = ((p == n) + (q == n) + (p + q == n)) % 2 != 0;
-  const Sign* const signs = odd ? K.orientation().sign.data() : nullptr;
+  const Sign* const signs = signs_of_product(K, p, q);
   const Tables tables(K);
   with_degree<0, n>(p, [&]<int P>(std::integral_constant<int, P>) {
     with_degree<0, n - P>(q, [&]<int Q>(std::integral_constant<int, Q>) {
@@ -118,9 +156,30 @@ void apply_wedge(const SimplicialComplex<n>& K, int p, std::span<const double> a
   });
 }
 
+template <int n>
+WedgeTerms wedge_terms(const SimplicialComplex<n>& K, int p, int q, std::span<const double> b) {
+  detail::require_degree(n, p, 0, n);
+  detail::require_degree(n, q, 0, n - p);
+  detail::require_shape("b", b.size(), K.size(q), 1);
+  const Sign* const signs = signs_of_product(K, p, q);
+  const Tables tables(K);
+  const Offset rows = K.size(p + q), width = binomial(p + q + 1, p + 1);
+  WedgeTerms result{std::vector<Offset>(static_cast<std::size_t>(rows) + 1),
+                    std::vector<Index>(static_cast<std::size_t>(rows * width)),
+                    std::vector<double>(static_cast<std::size_t>(rows * width))};
+  for (Offset i = 0; i <= rows; ++i) result.offsets[static_cast<std::size_t>(i)] = i * width;
+  with_degree<0, n>(p, [&]<int P>(std::integral_constant<int, P>) {
+    with_degree<0, n - P>(q, [&]<int Q>(std::integral_constant<int, Q>) {
+      weigh<P, Q>(tables, rows, signs, b.data(), result.index.data(), result.weight.data());
+    });
+  });
+  return result;
+}
+
 #define DERHAM_INSTANTIATE(n)                                                                                        \
   template void apply_wedge(const SimplicialComplex<n>&, int, std::span<const double>, int, std::span<const double>, \
-                            std::span<double>);
+                            std::span<double>);                                                                      \
+  template WedgeTerms wedge_terms(const SimplicialComplex<n>&, int, int, std::span<const double>);
 DERHAM_INSTANTIATE(0)
 DERHAM_INSTANTIATE(1)
 DERHAM_INSTANTIATE(2)

@@ -5,6 +5,7 @@
 #include "derham/forms/form.hpp"
 
 #include <span>
+#include <vector>
 
 namespace derham {
 
@@ -15,6 +16,20 @@ namespace derham {
 template <int n>
 void apply_wedge(const SimplicialComplex<n>& K, int p, std::span<const double> a, int q, std::span<const double> b,
                  std::span<double> y);
+
+/// a ∧ b of a fixed b, as a linear function of a: (a ∧ b)_i = Σ weight[j] a[index[j]] with j from offsets[i] up to, but
+/// not, offsets[i + 1].
+struct WedgeTerms {
+  std::vector<Offset> offsets;
+  std::vector<Index> index;
+  std::vector<double> weight;
+};
+
+/// The terms of the product of p-forms with the q-form b: C(p+q+1, p+1) for every (p+q)-simplex.
+/// Cost     that of a product, and the memory of the result
+/// Throws   as apply_wedge
+template <int n>
+[[nodiscard]] WedgeTerms wedge_terms(const SimplicialComplex<n>& K, int p, int q, std::span<const double> b);
 
 /// The wedge product of primal forms: the cup product, made antisymmetric.
 ///

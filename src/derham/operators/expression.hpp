@@ -5,6 +5,7 @@
 #include "derham/hodge/hodge_star.hpp"
 #include "derham/operators/operator.hpp"
 
+#include <concepts>
 #include <type_traits>
 #include <utility>
 
@@ -23,7 +24,7 @@ inline constexpr bool is_primal<PrimalForm<n, k>> = true;
 /// d of forms on K of every degree and side, as a part of expressions. K must outlive it.
 /// Throws   on dual forms TopologyError if K is not orientable
 template <int n>
-class Derivative {
+class Derivative : public Symbol {
  public:
   explicit Derivative(const SimplicialComplex<n>& K) : complex_(&K) {}
   explicit Derivative(SimplicialComplex<n>&&) = delete;
@@ -91,16 +92,11 @@ struct Star {
           [inverse] { return diagonal_matrix(inverse()); });
     }
   }
-
-  [[nodiscard]] static SparseMatrix diagonal_matrix(std::span<const double> diagonal) {
-    const Eigen::Map<const Eigen::VectorXd> entries(diagonal.data(), static_cast<Eigen::Index>(diagonal.size()));
-    return SparseMatrix(entries.asDiagonal());
-  }
 };
 
 /// What composed expressions have in common: they can be applied.
 template <class Part>
-struct Expression {
+struct Expression : Symbol {
   template <int n, int k, Side side>
   [[nodiscard]] auto operator()(const Form<n, k, side>& w) const {
     return static_cast<const Part&>(*this).template at<Form<n, k, side>>()(w);
@@ -150,17 +146,9 @@ template <class From, class To>
 inline constexpr bool is_operator<Operator<From, To>> = true;
 
 template <class T>
-inline constexpr bool is_symbol = false;
-template <int n>
-inline constexpr bool is_symbol<Derivative<n>> = true;
+inline constexpr bool is_symbol = std::derived_from<T, Symbol>;
 template <int n>
 inline constexpr bool is_symbol<HodgeStar<n>> = true;
-template <class B, class A>
-inline constexpr bool is_symbol<Composed<B, A>> = true;
-template <class A, class B>
-inline constexpr bool is_symbol<Added<A, B>> = true;
-template <class A>
-inline constexpr bool is_symbol<Scaled<A>> = true;
 
 /// Two parts of which one at least has no degree yet.
 template <class A, class B>

@@ -94,20 +94,20 @@ class Multiple final : public LinearMap {
 class ByMatrix final : public LinearMap {
  public:
   explicit ByMatrix(LinearMapPtr A) : LinearMap(A->columns(), A->rows()), A_(std::move(A)) {}
-  void apply(Values x, Result y) const override {
-    const SparseMatrix& M = A_->matrix();
-    parallel_blocks(rows(), grain, [&](Offset first, Offset last) {
-      for (Offset i = first; i < last; ++i) {
-        double sum = 0;
-        for (SparseMatrix::InnerIterator entry(M, i); entry; ++entry)
-          sum += entry.value() * x[static_cast<std::size_t>(entry.col())];
-        y[static_cast<std::size_t>(i)] = sum;
-      }
-    });
-  }
+  void apply(Values x, Result y) const override { multiply(A_->matrix(), x, y); }
 
  private:
   [[nodiscard]] SparseMatrix assemble() const override { return A_->matrix(); }
+  LinearMapPtr A_;
+};
+
+class Transposed final : public LinearMap {
+ public:
+  explicit Transposed(LinearMapPtr A) : LinearMap(A->rows(), A->columns()), A_(std::move(A)) {}
+  void apply(Values x, Result y) const override { multiply(matrix(), x, y); }
+
+ private:
+  [[nodiscard]] SparseMatrix assemble() const override { return A_->matrix().transpose(); }
   LinearMapPtr A_;
 };
 
@@ -124,6 +124,23 @@ LinearMapPtr sum(LinearMapPtr A, double factor, LinearMapPtr B) {
 }
 LinearMapPtr multiple(double factor, LinearMapPtr A) { return std::make_shared<Multiple>(factor, std::move(A)); }
 LinearMapPtr by_matrix(LinearMapPtr A) { return std::make_shared<ByMatrix>(std::move(A)); }
+LinearMapPtr transposed_map(LinearMapPtr A) { return std::make_shared<Transposed>(std::move(A)); }
+
+void multiply(const SparseMatrix& A, Values x, Result y) {
+  parallel_blocks(static_cast<Offset>(A.rows()), grain, [&](Offset first, Offset last) {
+    for (Offset i = first; i < last; ++i) {
+      double sum = 0;
+      for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
+        sum += entry.value() * x[static_cast<std::size_t>(entry.col())];
+      y[static_cast<std::size_t>(i)] = sum;
+    }
+  });
+}
+
+SparseMatrix diagonal_matrix(std::span<const double> diagonal) {
+  const Eigen::Map<const Eigen::VectorXd> entries(diagonal.data(), static_cast<Eigen::Index>(diagonal.size()));
+  return SparseMatrix(entries.asDiagonal());
+}
 
 SparseMatrix fed_with_identity(const LinearMap& A) {
   using Column = Eigen::SparseMatrix<double, Eigen::ColMajor>;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <vector>
 
 namespace derham {
 
@@ -58,10 +59,30 @@ using LinearMapPtr = std::shared_ptr<const LinearMap>;
 [[nodiscard]] LinearMapPtr multiple(double factor, LinearMapPtr A);
 /// A, applied by its matrix.
 [[nodiscard]] LinearMapPtr by_matrix(LinearMapPtr A);
+/// Aᵀ, applied by the transpose of the matrix of A.
+[[nodiscard]] LinearMapPtr transposed_map(LinearMapPtr A);
+
+/// y = A x, on several threads.
+void multiply(const SparseMatrix& A, std::span<const double> x, std::span<double> y);
+
+[[nodiscard]] SparseMatrix diagonal_matrix(std::span<const double> diagonal);
 
 /// The matrix whose columns are A e_0, A e_1, …; entries that are zero are left out.
 /// Cost     as many applications as columns
 [[nodiscard]] SparseMatrix fed_with_identity(const LinearMap& A);
+
+/// The matrix with rows row(i, add), which calls add(column, value) for every entry.
+template <class Row>
+[[nodiscard]] SparseMatrix matrix_of_rows(Index rows, Index columns, Row&& row) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index i = 0; i < rows; ++i)
+    row(i, [&](Index column, double value) {
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(column), value);
+    });
+  SparseMatrix result(rows, columns);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
 
 }  // namespace detail
 }  // namespace derham

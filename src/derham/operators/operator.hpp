@@ -13,6 +13,10 @@
 
 namespace derham {
 
+/// What stands in expressions for operators on several kinds of forms, as d does (expression.hpp), derives from this and has a
+/// member `at<From>()`, the Operator on forms of type From, only for those types that it takes.
+struct Symbol {};
+
 /// A linear map of discrete forms: `Operator<PrimalForm<3, 1>, PrimalForm<3, 2>> curl`. Made from functions, from
 /// expressions in d and ⋆ (see expression.hpp), or by composition `B * A` (first A), sums and multiples, which compile only
 /// if the degrees and sides fit. The complexes, and what the functions refer to, must outlive it; copies are cheap.
@@ -97,6 +101,25 @@ class Operator {
   const ToComplex* to_;
   std::shared_ptr<const detail::LinearMap> map_;
 };
+
+namespace detail {
+template <class F>
+struct DualOf;
+template <int n, int k, Side side>
+struct DualOf<Form<n, k, side>> {
+  using Type = Form<n, n - k, side == Side::primal ? Side::dual : Side::primal>;
+};
+}  // namespace detail
+
+/// Forms of the complementary degree on the other side: those that `pair` pairs with forms of type F by Σ a_i b_i.
+template <class F>
+using DualOf = typename detail::DualOf<F>::Type;
+
+/// Aᵀ between the dual spaces: Σ (A u)_i v_i = Σ u_i (Aᵀ v)_i. Applied by its matrix, made at the first call.
+template <class From, class To>
+[[nodiscard]] Operator<DualOf<To>, DualOf<From>> transposed(const Operator<From, To>& A) {
+  return {A.to(), A.from(), detail::transposed_map(A.map())};
+}
 
 /// The identity on forms of one kind.
 template <class F>

@@ -8,23 +8,6 @@
 
 namespace derham {
 
-namespace detail {
-
-/// The matrix with rows row(i, add), which calls add(column, value) for every entry.
-template <class Row>
-[[nodiscard]] SparseMatrix matrix_of_rows(Index rows, Index columns, Row&& row) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index i = 0; i < rows; ++i)
-    row(i, [&](Index column, double value) {
-      entries.emplace_back(static_cast<int>(i), static_cast<int>(column), value);
-    });
-  SparseMatrix result(rows, columns);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
-}  // namespace detail
-
 // Pullback, prolongation and restriction of k-forms as operators, for compositions and for their matrices. What they are
 // made of must outlive them.
 
