@@ -6,7 +6,6 @@
 #include "bench/support/yardsticks.hpp"
 #include "derham/forms/wedge.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -15,20 +14,12 @@ namespace {
 
 using Vector = std::vector<double>;
 
-/// Bytes of the tuples, which hold the vertices, or of the face tables down to the lower degree of the factors.
-Offset bytes_of_tables(const SimplicialComplex<3>& K, int p, int q) {
-  if (p * q == 0) return static_cast<Offset>(K.simplices(p + q).size_bytes());
-  Offset bytes = 0;
-  for (int k = p + q; k > std::min(p, q); --k) bytes += static_cast<Offset>(K.face_table(k).size_bytes());
-  return bytes;
-}
-
 template <int p, int q>
 Kernel wedge_with_ones(const BenchMesh& mesh) {
   const auto& K = complex_of<3>(mesh);
   const auto b = std::make_shared<const Vector>(static_cast<std::size_t>(K.size(q)), 1.0);
   const auto apply = [&K, b](const Vector& a, Vector& y) { apply_wedge(K, p, a, q, *b, y); };
-  return application(mesh, K.size(p), K.size(p + q), bytes_of_tables(K, p, q) + 8 * Offset{K.size(q)}, apply);
+  return application(mesh, K.size(p), K.size(p + q), bytes_of_wedge(K, p, q) + 8 * Offset{K.size(q)}, apply);
 }
 
 template <int p, int q>

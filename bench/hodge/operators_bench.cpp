@@ -86,7 +86,7 @@ void add_laplacian(const std::string& name, const std::vector<BenchMesh>& meshes
   add(name, meshes, up_laplacian<k>);
   add(name + " of 4 vectors", meshes, up_laplacian<k, 4>);
   add(name + ", preparation", meshes, preparation<k>);
-  add(name + " by Eigen, assembled", meshes, eigen<k>, Runs::one_thread);
+  add(name + " by Eigen", meshes, eigen<k>, Runs::one_thread);
 }
 
 const Suite suite([](const Options& options) {

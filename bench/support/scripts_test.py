@@ -55,6 +55,17 @@ class Tables(unittest.TestCase):
         self.assertEqual((row["speed-up"], row["x set and map"]), ("2", "70"))
         self.assertEqual((row["of copy"], row["of copy, 2 threads"]), ("25 %", "80 %"))
 
+    def test_operators_are_compared_with_the_product_of_eigen(self):
+        text = table.show(report(run("d/natural/threads:1", 0, **{"ns/item": 2}),
+                                 run("d assembled/natural/threads:1", 1, **{"ns/item": 8}),
+                                 run("d by Eigen/natural/threads:1", 2, **{"ns/item": 6}),
+                                 run("d by Eigen/shuffled/threads:1", 3, **{"ns/item": 99}),
+                                 run("e/natural/threads:1", 4, **{"ns/item": 5})))
+        lines = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.splitlines() if line.startswith("| ")]
+        column = {line[0]: line[lines[0].index("x Eigen")] for line in lines[1:]}
+        self.assertEqual(column, {"d, natural": "3", "d assembled, natural": "0.75", "d by Eigen, natural": "",
+                                  "d by Eigen, shuffled": "", "e, natural": ""})
+
     def test_an_empty_report_says_so(self):
         self.assertEqual(table.show({"benchmarks": []}), "nothing was measured")
 

@@ -20,6 +20,11 @@ def over(a, b):
     return None if a is None or b is None or b == 0 else a / b
 
 
+def by_eigen(name):
+    """What Eigen's product with the matrix of an operator is called."""
+    return name.removesuffix(" assembled") + " by Eigen"
+
+
 def file_table(benchmarks):
     head = ["file", "MB", "MB/s", "fread MB/s", "x fread", "x memory"]
     rows = []
@@ -54,6 +59,7 @@ def kernel_table(benchmarks):
                f"{most} threads": number(times), "speed-up": number(over(time, times))}
         for other in RATIOS:
             row[f"x {other}"] = "" if name in YARDSTICKS else number(over(yardstick(other, order, 1, "ns/item"), time))
+        row["x Eigen"] = number(over(yardstick(by_eigen(name), order, 1, "ns/item"), time))
         row["GB/s"] = number(rate)
         row[f"GB/s, {most} threads"] = number(rates)
         for other in RATES:
