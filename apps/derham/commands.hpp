@@ -26,5 +26,6 @@ Run add_operators(CLI::App& parent, Common& common);
 Run add_convert(CLI::App& parent, Common& common);
 Run add_generate(CLI::App& parent, Common& common);
 Run add_demo(CLI::App& parent, Common& common);
+Run add_draw(CLI::App& parent, Common& common);
 
 }  // namespace derham::cli

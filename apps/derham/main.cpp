@@ -96,6 +96,7 @@ int main_of(int argc, char** argv) {
   commands["operators"] = add_operators(app, common);
   commands["generate"] = add_generate(app, common);
   commands["demo"] = add_demo(app, common);
+  commands["draw"] = add_draw(app, common);
 
   std::string word;  // the command: the first argument that is no option
   for (int i = 1; i < argc; ++i) {
@@ -109,7 +110,7 @@ int main_of(int argc, char** argv) {
     for (const auto& [name, command] : commands) names.push_back(name);
     return static_cast<int>(report(Failure(Exit::usage, "usage",
                                            "there is no command '" + word + "'" + suggestion(word, names) +
-                                               "; commands are check, convert, demo, generate, info, operators"),
+                                               "; commands are check, convert, demo, draw, generate, info, operators"),
                                    common));
   }
   try {
