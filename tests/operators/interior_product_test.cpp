@@ -4,6 +4,7 @@
 #include "derham/meshes/lattices.hpp"
 #include "derham/operators/de_rham_map.hpp"
 #include "derham/operators/sharp_and_flat.hpp"
+#include "operators/own_matrix.hpp"
 #include "operators/spaces.hpp"
 #include "support/random_forms.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 
 using support::distance;
 using support::random_form;
+using test::expect_own_matrix;
 using test::for_each_degree;
 using test::Space;
 using Vector = std::vector<double>;
@@ -221,6 +223,96 @@ TEST(UpwindTransport, IsOfFirstOrderInThePlane) {
   expect(std::integral_constant<int, 2>());
 }
 
+/// One value by definition: the mean of what the Whitney form of w is on X and the edges of s, in the top simplices around.
+template <int n, int k>
+double slow_mean(const Space<n>& space, const PrimalForm<n, k>& w, Index s, int order) {
+  const int m = space.g.coordinate_dimension();
+  const auto d = static_cast<std::size_t>(m);
+  const auto rule = simplex_rule<k - 1>(order);
+  const auto columns = subsets<k>(m);
+  double sum = 0, volume = 0;
+  const Incidence tops = incidence(space.K, k - 1, n);
+  for (const Index t : tops[s]) {
+    detail::WhitneySimplex<n, k> whitney(m);
+    whitney.set(space.g, w, t);
+    SimplexFrame<n> frame(m);
+    frame.set(space.g.corners(space.K, t));
+    const auto corners = space.g.corners(space.K, t);
+    const auto all = space.K.template simplex<n>(t);
+    const auto own = space.K.template simplex<k - 1>(s);
+    std::vector<Vector> vectors(static_cast<std::size_t>(k), Vector(d));
+    std::array<std::size_t, static_cast<std::size_t>(k)> place{};
+    for (std::size_t i = 0; i < k; ++i)
+      place[i] = static_cast<std::size_t>(std::ranges::find(all, own[i]) - all.begin());
+    for (std::size_t i = 1; i < k; ++i)
+      for (std::size_t c = 0; c < d; ++c) vectors[i][c] = corners[place[i]][c] - corners[place[0]][c];
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      Vector lambda(n + 1), x(d), components(columns.size());
+      for (std::size_t i = 0; i < k; ++i) lambda[place[i]] = rule.points[q][i];
+      for (std::size_t v = 0; v <= n; ++v)
+        for (std::size_t c = 0; c < d; ++c) x[c] += lambda[v] * corners[v][c];
+      vectors[0] = wavy<n>(x);
+      whitney.evaluate(lambda.data(), components.data());
+      std::array<const double*, static_cast<std::size_t>(k)> rows{};
+      for (std::size_t i = 0; i < k; ++i) rows[i] = vectors[i].data();
+      for (std::size_t c = 0; c < columns.size(); ++c)
+        sum += frame.volume() * rule.weights[q] * components[c] * minor_of<k>(rows, columns[c]);
+    }
+    volume += frame.volume();
+  }
+  return sum / volume / static_cast<double>(factorial(k - 1));
+}
+
+TYPED_TEST(InteriorProducts, OfAnyFormAreTheMeanOfWhitneyForms) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space = torus<n>();
+  const InteriorProduct i_X(space.K, space.g, wavy<n>, Trace::mean, 2);
+  for_each_degree<n - 1>([&]<int j>() {
+    const auto w = random_form<n, j + 1>(space.K, 1);
+    const auto image = i_X(w);
+    for (Index s = 0; s < image.size(); s += std::max(Index{1}, image.size() / 10))
+      EXPECT_NEAR(image[s], slow_mean(space, w, s, 2), 1e-12 * (1 + std::abs(image[s]))) << "degree " << j + 1;
+  });
+}
+
+TYPED_TEST(InteriorProducts, AreOperatorsWithTheirMatrices) {
+  constexpr int n = TypeParam::value;
+  Space<n> space(test::generic_mesh<n>(3, n < 4 ? 2 : 1));
+  orient_by_volume(space.K, space.g);
+  const Derivative<n> d(space.K);
+  for (const Trace trace : {Trace::mean, Trace::upwind}) {
+    const InteriorProduct i_X(space.K, space.g, wavy<n>, trace, 1);
+    for_each_degree<n>([&]<int k>() {
+      using F = PrimalForm<n, k>;
+      const auto w = random_form<n, k>(space.K, 1);
+      if constexpr (k > 0) {
+        const Operator<F, PrimalForm<n, k - 1>> A = i_X;
+        expect_own_matrix(A);
+        EXPECT_EQ(A(w), i_X(w)) << "degree " << k;
+      }
+      const Operator<F, F> L = lie_derivative(d, i_X);
+      expect_own_matrix(L);
+      EXPECT_LT(distance(L(w), lie_derivative(i_X, w)), 1e-11 * (1 + L.matrix().norm())) << "degree " << k;
+      EXPECT_EQ(lie_derivative(d, i_X)(w), L(w));
+    });
+  }
+}
+
+/// 1 - dt L_X of densities has no negative entry, and columns with sum 1.
+TYPED_TEST(InteriorProducts, TransportAsAnExpressionIsAStochasticMatrix) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space = torus<n>();
+  using Density = PrimalForm<n, n>;
+  const InteriorProduct i_X(space.K, space.g, wavy<n>, Trace::upwind, 1);
+  const Derivative<n> d(space.K);
+  const Operator<Density, Density> step = identity<Density>(space.K) - i_X.cfl_bound() * lie_derivative(d, i_X);
+  const SparseMatrix& A = step.matrix();
+  EXPECT_GE(A.coeffs().minCoeff(), -1e-15);
+  const Eigen::VectorXd sums = A.transpose() * Eigen::VectorXd::Ones(A.rows());
+  EXPECT_LT((sums.array() - 1).abs().maxCoeff(), 1e-13);
+  EXPECT_LT(A.diagonal().minCoeff(), 0.5) << "something flows";
+}
+
 TYPED_TEST(InteriorProducts, HaveTheSameBitsOnAnyNumberOfThreads) {
   constexpr int n = TypeParam::value;
   const Space<n> space = torus<n>(n == 1 ? 500 : n == 2 ? 12 : n == 3 ? 5 : 3);
@@ -282,6 +374,33 @@ TEST(AlgebraicInteriorProduct, InThePlaneOfPrimalOneForms) {
   const auto dx = DeRhamMap<2>(space.K, space.g, 0).circulation([](Point) { return Vector{1, 0}; });
   const auto i_X = interior_product(star, dpd_flat(space.K, space.g, X), dx);
   for (const double value : i_X.values()) EXPECT_NEAR(value, 1, 1e-12);
+}
+
+TYPED_TEST(InteriorProducts, AlgebraicOnesAreExpressions) {
+  constexpr int n = TypeParam::value;
+  Space<n> space(test::generic_mesh<n>(1, 2));
+  orient_by_volume(space.K, space.g);
+  const HodgeStar<n> star(space.K, space.g);
+  const Derivative<n> d(space.K);
+  const auto X_flat = random_form<n, 1>(space.K, 1);
+  const auto i_X = interior_product(star, X_flat);
+  for_each_degree<n - 1>([&]<int j>() {
+    using F = DualForm<n, j + 1>;
+    const Operator<F, DualForm<n, j>> A = i_X;
+    expect_own_matrix(A);
+    const auto w = random_form<n, j + 1, Side::dual>(space.K, 2);
+    const double size = A.matrix().norm();
+    EXPECT_LT(distance(A(w), interior_product(star, X_flat, w)), 1e-12 * size) << "degree " << j + 1;
+    EXPECT_GT(size, 1e-3);
+    const Operator<F, F> L = lie_derivative(d, i_X);
+    const auto by_parts = lie_derivative([&](const auto& u) { return interior_product(star, X_flat, u); }, w);
+    EXPECT_LT(distance(L(w), by_parts), 1e-12 * (1 + L.matrix().norm())) << "degree " << j + 1;
+  });
+  const auto dual = random_form<n, 1, Side::dual>(space.K, 3);
+  const Operator<PrimalForm<n, n>, PrimalForm<n, n - 1>> A = interior_product(star, dual);
+  expect_own_matrix(A);
+  const auto w = random_form<n, n>(space.K, 4);
+  EXPECT_LT(distance(A(w), interior_product(star, dual, w)), 1e-12 * A.matrix().norm());
 }
 
 TEST(InteriorProductErrors, AreNamed) {

@@ -1,7 +1,10 @@
 #include "derham/operators/whitney_star.hpp"
 
 #include "derham/core/error.hpp"
+#include "derham/forms/dual_wedge.hpp"
 #include "derham/meshes/lattices.hpp"
+#include "derham/operators/expression.hpp"
+#include "operators/own_matrix.hpp"
 #include "operators/spaces.hpp"
 
 #include <gtest/gtest.h>
@@ -35,6 +38,35 @@ TYPED_TEST(WhitneyStars, TheStarTwiceIsASignAndTheInverseUndoesIt) {
       EXPECT_NEAR(twice[i], (k * (n - k) % 2 == 0 ? 1 : -1) * w[i], 1e-10);
     }
   });
+}
+
+/// Δ_0 = ⋆_0⁻¹ d_0ᵀ ⋆_1 d_0 with Whitney stars, as an expression: symmetric in ⟨,⟩, never negative, zero on constants.
+TYPED_TEST(WhitneyStars, ArePartsOfExpressions) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space(test::random_mesh<n>(1, n < 4 ? 2 : 1));
+  const Derivative<n> d(space.K);
+  test::for_each_degree<n>([&]<int k>() {
+    const WhitneyStar<n, k> star(space.K, space.g);
+    const Operator<PrimalForm<n, k>, DualForm<n, n - k>> down = star;
+    test::expect_own_matrix(down);
+    const Operator<DualForm<n, n - k>, PrimalForm<n, k>> up = star;
+    test::expect_own_matrix(up);
+    const auto w = test::random_values_on<n, k>(space.K, 1);
+    EXPECT_EQ(down(w), star(w));
+    EXPECT_EQ(up(down(w)), star(star(w)));
+  });
+  const WhitneyStar<n, 0> star_0(space.K, space.g);
+  const WhitneyStar<n, 1> star_1(space.K, space.g);
+  using Functions = PrimalForm<n, 0>;
+  const Operator<Functions, Functions> laplacian = -(star_0 * d * star_1 * d);
+  const Operator<Functions, DualForm<n, n>> weak = star_0 * laplacian;
+  const auto f = test::random_values_on<n, 0>(space.K, 2), g = test::random_values_on<n, 0>(space.K, 3);
+  EXPECT_NEAR(pair(f, weak(g)), pair(g, weak(f)), 1e-11);
+  EXPECT_NEAR(pair(f, weak(f)), pair(d(f), star_1(d(f))), 1e-11);
+  EXPECT_GT(pair(f, weak(f)), 0.1);
+  Functions ones(space.K);
+  for (double& value : ones.values()) value = 1;
+  EXPECT_LT(support::distance(laplacian(ones), Functions(space.K)), 1e-10);
 }
 
 TYPED_TEST(WhitneyStars, SeveralColumnsAreTheSameAsOneByOne) {

@@ -4,20 +4,17 @@
 #include "derham/core/error.hpp"
 #include "derham/core/parallel.hpp"
 #include "derham/core/text.hpp"
-#include "derham/forms/dual_wedge.hpp"
-#include "derham/forms/exterior_derivative.hpp"
-#include "derham/forms/wedge.hpp"
 #include "derham/geometry/geometry.hpp"
 #include "derham/hodge/hodge_star.hpp"
+#include "derham/operators/contraction_row.hpp"
+#include "derham/operators/expression.hpp"
 #include "derham/operators/not_flat.hpp"
-#include "derham/operators/quadrature.hpp"
-#include "derham/operators/whitney_simplex.hpp"
+#include "derham/operators/wedge_operator.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -43,15 +40,44 @@ template <int n, int k, Side side, Side other>
   return result;
 }
 
-/// Which of the values on the top simplices around a simplex an interior product takes.
-enum class Trace : std::uint8_t {
-  mean,   ///< their mean, weighted by volume
-  upwind  ///< that of the top simplex where X comes from; 0 where X comes in from outside
+/// The same as a part of expressions, on all the forms that it takes. The star and the complex must outlive it.
+template <int n, Side other>
+class AlgebraicInteriorProduct : public Symbol {
+ public:
+  AlgebraicInteriorProduct(const HodgeStar<n>& star, Form<n, 1, other> X_flat)
+      : star_(&star), X_flat_(std::move(X_flat)) {}
+  AlgebraicInteriorProduct(HodgeStar<n>&&, Form<n, 1, other>) = delete;
+
+  template <class F>
+    requires(F::dimension == n && F::degree >= 1 && detail::is_primal<F> == (other == Side::dual))
+  [[nodiscard]] auto at() const {
+    constexpr double sign = F::degree * (n - F::degree) % 2 == 0 ? 1 : -1;
+    return (sign * (*star_ * X_flat_ * *star_)).template at<F>();
+  }
+
+  /// i_X w.
+  template <int k, Side side>
+  [[nodiscard]] auto operator()(const Form<n, k, side>& w) const {
+    return at<Form<n, k, side>>()(w);
+  }
+
+ private:
+  const HodgeStar<n>* star_;
+  WedgeWith<n, 1, other> X_flat_;
 };
+
+/// Source   as above
+template <int n, Side other>
+[[nodiscard]] AlgebraicInteriorProduct<n, other> interior_product(const HodgeStar<n>& star,
+                                                                  const Form<n, 1, other>& X_flat) {
+  return {star, X_flat};
+}
 
 /// The interior product of primal forms with a smooth vector field X: the integrals over the (k-1)-simplices of i_X W w, W
 /// the Whitney map, by quadrature. W w jumps across facets; `Trace` says whose value counts. The upwind trace is what stable
 /// explicit transport ∂w/∂t = -L_X w needs; on n-forms it is the finite volume flux, which conserves the integral.
+///
+/// A part of expressions: `Operator<PrimalForm<n, k>, PrimalForm<n, k - 1>> A = i_X` has a matrix, made in one pass.
 ///
 /// X(x) has the m components of space and is called from several threads; it must be periodic as the mesh is. K and the
 /// geometry must outlive it.
@@ -64,7 +90,7 @@ enum class Trace : std::uint8_t {
 ///          "Eulerian and semi-Lagrangian methods for convection-diffusion for differential forms", 2011 (upwind);
 ///          Mullen et al., "Discrete Lie advection of differential forms", 2011 (finite volumes)
 template <int n, class Field>
-class InteriorProduct {
+class InteriorProduct : public Symbol {
  public:
   /// Throws   InputError if the geometry does not belong to K or order < 0; TopologyError unless K is pure; GeometryError
   ///          naming flat top simplices, or if there are edge lengths only
@@ -87,18 +113,20 @@ class InteriorProduct {
   [[nodiscard]] PrimalForm<n, k - 1> operator()(const PrimalForm<n, k>& w) const {
     if (&w.complex() != complex_) throw InputError("the form and the interior product belong to different complexes");
     PrimalForm<n, k - 1> result(*complex_);
-    const auto rule = simplex_rule<k - 1>(order_);
-    const Incidence tops = incidence(*complex_, k - 1, n);
-    parallel_blocks(result.size(), 128, [&](Offset begin, Offset end) {
-      Local<k> local(geometry_->coordinate_dimension());
-      std::vector<Trial> trials;
-      for (auto s = static_cast<Index>(begin); s < end; ++s) {
-        trials.clear();
-        for (const Index t : tops[s]) try_top<k>(w, s, t, rule, local, trials);
-        result[s] = chosen(trials, rule.weights) / static_cast<double>(factorial(k - 1));
-      }
-    });
+    apply<k>(incidence(*complex_, k - 1, n), w.values(), result.values());
     return result;
+  }
+
+  /// On primal k-forms, k >= 1.
+  template <class F>
+    requires(F::dimension == n && F::degree >= 1 && detail::is_primal<F>)
+  [[nodiscard]] auto at() const {
+    constexpr int k = F::degree;
+    const auto i_X = std::make_shared<const InteriorProduct>(*this);
+    const auto tops = std::make_shared<const Incidence>(incidence(*complex_, k - 1, n));
+    return Operator<F, PrimalForm<n, k - 1>>(
+        *complex_, *complex_, [i_X, tops](auto x, auto y) { i_X->template apply<k>(*tops, x, y); },
+        [i_X, tops] { return i_X->template matrix<k>(*tops); });
   }
 
   /// The largest stable time step of w ← w - dt L_X w with upwind traces, Euler's method: below it no value of a density
@@ -112,123 +140,52 @@ class InteriorProduct {
     const auto rule = simplex_rule<n - 1>(order_);
     std::vector<double> rate(static_cast<std::size_t>(complex_->size(n)));
     parallel_blocks(complex_->size(n), 128, [&](Offset begin, Offset end) {
-      Local<1> local(geometry_->coordinate_dimension());
+      SimplexFrame<n> frame(geometry_->coordinate_dimension());
+      std::vector<double> x(static_cast<std::size_t>(geometry_->coordinate_dimension()));
       for (auto t = static_cast<Index>(begin); t < end; ++t)
-        rate[static_cast<std::size_t>(t)] = leaving_rate(t, rule, local);
+        rate[static_cast<std::size_t>(t)] = leaving_rate(t, rule, frame, x);
     });
     const double fastest = rate.empty() ? 0 : *std::ranges::max_element(rate);
     return fastest > 0 ? 1 / fastest : std::numeric_limits<double>::infinity();
   }
 
  private:
-  /// The value at one node of the rule, in one top simplex; how far X points out of its interior backwards, <= 0 if it comes from it.
-  struct Trial {
-    double value, upstream, volume;
-  };
-
-  /// Room for one top simplex.
   template <int k>
-  struct Local {
-    explicit Local(int d)
-        : whitney(d), frame(d), columns(subsets<k>(d)), components(columns.size()),
-          edges(static_cast<std::size_t>(k * d)), x(static_cast<std::size_t>(d)) {}
-    detail::WhitneySimplex<n, k> whitney;
-    SimplexFrame<n> frame;
-    std::vector<std::array<int, static_cast<std::size_t>(k)>> columns;
-    std::vector<double> components, edges, x;  // edges: X, then those of the (k-1)-simplex, (k, d)
-  };
-
-  /// X at the point of these barycentric coordinates, written to `to`.
-  void evaluate_field(const std::array<const double*, n + 1>& corners, const std::array<double, n + 1>& lambda,
-                      std::vector<double>& x, double* to) const {
-    for (std::size_t c = 0; c < x.size(); ++c) {
-      x[c] = 0;
-      for (std::size_t v = 0; v <= n; ++v) x[c] += lambda[v] * corners[v][c];
-    }
-    const auto value = field_(std::span<const double>(x));
-    if (value.size() != x.size())
-      throw InputError(text("a field of ", value.size(), " components; expected ", x.size()));
-    for (std::size_t c = 0; c < x.size(); ++c) to[c] = value[c];
+  [[nodiscard]] detail::ContractionRow<n, k> row() const {
+    return {*complex_, *geometry_, trace_, order_};
   }
 
-  template <int k, class Rule>
-  void try_top(const PrimalForm<n, k>& w, Index s, Index t, const Rule& rule, Local<k>& local,
-               std::vector<Trial>& trials) const {
-    const auto d = local.x.size();
-    const auto corners = geometry_->corners(*complex_, t);
-    local.whitney.set(*geometry_, w, t);
-    local.frame.set(corners);
-    const auto place = places<k>(s, t);
-    for (std::size_t i = 1; i < k; ++i)
-      for (std::size_t c = 0; c < d; ++c) local.edges[i * d + c] = corners[place[i]][c] - corners[place[0]][c];
-    std::array<const double*, static_cast<std::size_t>(k)> rows{};
-    for (std::size_t i = 0; i < k; ++i) rows[i] = local.edges.data() + i * d;
-    for (const auto& point : rule.points) {
-      std::array<double, n + 1> lambda{};
-      for (std::size_t i = 0; i < k; ++i) lambda[place[i]] = point[i];
-      evaluate_field(corners, lambda, local.x, local.edges.data());
-      local.whitney.evaluate(lambda.data(), local.components.data());
-      double value = 0;
-      for (std::size_t c = 0; c < local.columns.size(); ++c)
-        value += local.components[c] * minor_of<k>(rows, local.columns[c]);
-      trials.push_back({value, upstream<k>(local, place), local.frame.volume()});
-    }
-  }
-
-  /// Where the vertices of (k-1)-simplex s are in top simplex t.
   template <int k>
-  [[nodiscard]] std::array<std::size_t, static_cast<std::size_t>(k)> places(Index s, Index t) const {
-    std::array<std::size_t, static_cast<std::size_t>(k)> result{};
-    const auto all = complex_->template simplex<n>(t);
-    const auto own = complex_->template simplex<k - 1>(s);
-    for (std::size_t i = 0; i < k; ++i)
-      result[i] = static_cast<std::size_t>(std::ranges::find(all, own[i]) - all.begin());
-    return result;
-  }
-
-  /// The largest cosine of X with the ∇λ_v that vanish on s: not positive if X comes from inside.
-  template <int k>
-  [[nodiscard]] double upstream(const Local<k>& local,
-                                const std::array<std::size_t, static_cast<std::size_t>(k)>& place) const {
-    const std::size_t d = local.x.size();
-    double speed = 0, largest = -1;
-    for (std::size_t c = 0; c < d; ++c) speed += local.edges[c] * local.edges[c];
-    speed = std::sqrt(speed);
-    for (std::size_t v = 0; v <= n; ++v) {
-      if (std::ranges::find(place, v) != place.end()) continue;
-      double along = 0, square = 0;
-      for (const double g : local.frame.gradients()[v]) square += g * g;
-      for (std::size_t c = 0; c < d; ++c) along += local.edges[c] * local.frame.gradient(v, c);
-      largest = std::max(largest, speed > 0 ? along / (speed * std::sqrt(square)) : 0);
-    }
-    return largest;
-  }
-
-  /// The sum over the rule of the trials, top simplex by top simplex, that the trace takes.
-  [[nodiscard]] double chosen(const std::vector<Trial>& trials, const std::vector<double>& weights) const {
-    constexpr double parallel = 1e-12;  // a cosine: X runs along the facet
-    double result = 0;
-    for (std::size_t q = 0; q < weights.size(); ++q) {
-      double sum = 0, volume = 0;
-      for (std::size_t i = q; i < trials.size(); i += weights.size()) {
-        if (trace_ == Trace::upwind && trials[i].upstream > parallel) continue;
-        sum += trials[i].volume * trials[i].value;
-        volume += trials[i].volume;
+  void apply(const Incidence& tops, std::span<const double> w, std::span<double> y) const {
+    parallel_blocks(complex_->size(k - 1), 128, [&](Offset begin, Offset end) {
+      auto contraction = row<k>();
+      for (auto s = static_cast<Index>(begin); s < end; ++s) {
+        double sum = 0;
+        for (const auto& [simplex, weight] : contraction.of(field_, s, tops[s]))
+          sum += weight * w[static_cast<std::size_t>(simplex)];
+        y[static_cast<std::size_t>(s)] = sum;
       }
-      if (volume > 0) result += weights[q] * sum / volume;
-    }
-    return result;
+    });
+  }
+
+  template <int k>
+  [[nodiscard]] SparseMatrix matrix(const Incidence& tops) const {
+    auto contraction = row<k>();
+    return detail::matrix_of_rows(complex_->size(k - 1), complex_->size(k), [&](Index s, auto&& add) {
+      for (const auto& [simplex, weight] : contraction.of(field_, s, tops[s])) add(simplex, weight);
+    });
   }
 
   /// What leaves top simplex t in a unit of time, relative to what is there; at least X·∇λ_v at its vertices.
   template <class Rule>
-  [[nodiscard]] double leaving_rate(Index t, const Rule& rule, Local<1>& local) const {
+  [[nodiscard]] double leaving_rate(Index t, const Rule& rule, SimplexFrame<n>& frame, std::vector<double>& x) const {
     const auto corners = geometry_->corners(*complex_, t);
-    local.frame.set(corners);
+    frame.set(corners);
+    std::vector<double> X(x.size());
     const auto towards = [&](std::size_t v, const std::array<double, n + 1>& lambda) {
-      evaluate_field(corners, lambda, local.x, local.edges.data());
+      detail::evaluate_field<n>(field_, corners, lambda, x, X.data());
       double along = 0;
-      for (std::size_t c = 0; c < local.x.size(); ++c) along += local.edges[c] * local.frame.gradient(v, c);
+      for (std::size_t c = 0; c < x.size(); ++c) along += X[c] * frame.gradient(v, c);
       return along;
     };
     double leaving = 0, largest = 0;
@@ -264,6 +221,42 @@ template <class Contraction, int n, int k, Side side>
   } else {
     return d(i_X(w)) + i_X(d(w));
   }
+}
+
+/// The same as a part of expressions.
+template <int n, class Contraction>
+class LieDerivative : public Symbol {
+ public:
+  LieDerivative(const Derivative<n>& d, Contraction i_X) : d_(d), i_X_(std::move(i_X)) {}
+
+  template <class F>
+  [[nodiscard]] auto at() const {
+    if constexpr (F::degree == 0) {
+      return (i_X_ * d_).template at<F>();
+    } else if constexpr (F::degree == n) {
+      return (d_ * i_X_).template at<F>();
+    } else {
+      return (d_ * i_X_ + i_X_ * d_).template at<F>();
+    }
+  }
+
+  /// L_X w.
+  template <int k, Side side>
+  [[nodiscard]] Form<n, k, side> operator()(const Form<n, k, side>& w) const {
+    return at<Form<n, k, side>>()(w);
+  }
+
+ private:
+  Derivative<n> d_;
+  Contraction i_X_;
+};
+
+/// L_X = d i_X + i_X d of forms of every degree, for expressions: transport by Euler's method is
+/// `Operator<Density, Density> step = identity<Density>(K) - dt * lie_derivative(d, i_X)`.
+template <int n, class Contraction>
+  requires detail::is_symbol<Contraction>
+[[nodiscard]] LieDerivative<n, Contraction> lie_derivative(const Derivative<n>& d, const Contraction& i_X) {
+  return {d, i_X};
 }
 
 }  // namespace derham

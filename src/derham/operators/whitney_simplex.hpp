@@ -44,7 +44,12 @@ class WhitneySimplex {
     const auto& K = w.complex();
     const auto index = face_indices(K, t);
     for (const unsigned face : masks_of<n, k + 1>()) value_[face] = w[index[face]] * K.sign(k, index[face]);
-    frame_.set(geometry.corners(K, t));
+    set(geometry.corners(K, t));
+  }
+
+  /// The simplex alone, for `weights`.
+  void set(const std::array<const double*, n + 1>& corners) {
+    frame_.set(corners);
     const std::size_t d = gradients_.size() / (n + 1);
     for (std::size_t v = 0; v <= n; ++v)
       for (std::size_t c = 0; c < d; ++c) gradients_[v * d + c] = frame_.gradient(v, c);
@@ -70,6 +75,22 @@ class WhitneySimplex {
       for (std::size_t c = 0; c < columns_.size(); ++c) components[c] += sum * wedge_[s * columns_.size() + c];
     }
   }
+
+  /// What the form is on k vectors is Σ weights[face] w(face): `minors` are the components of v_1 ∧ … ∧ v_k.
+  void weights(const double* lambda, const double* minors, FaceArray<n, double>& weights) const noexcept {
+    for (const unsigned face : masks_of<n, k + 1>()) weights[face] = 0;
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+      double value = 0;
+      for (std::size_t c = 0; c < columns_.size(); ++c) value += wedge_[s * columns_.size() + c] * minors[c];
+      value *= static_cast<double>(factorial(k));
+      for (int v = 0; v <= n; ++v) {
+        const unsigned face = sets[s] | (1U << v);
+        if (face != sets[s]) weights[face] += place_sign(face, v) * lambda[v] * value;
+      }
+    }
+  }
+
+  [[nodiscard]] const SimplexFrame<n>& frame() const noexcept { return frame_; }
 
  private:
   static constexpr auto sets = masks_of<n, k>();

@@ -5,10 +5,12 @@
 #include "derham/forms/form.hpp"
 #include "derham/geometry/geometry.hpp"
 #include "derham/geometry/material.hpp"
+#include "derham/operators/operator.hpp"
 #include "derham/operators/whitney_mass.hpp"
 
 #include <Eigen/SparseCore>
 
+#include <concepts>
 #include <memory>
 #include <span>
 
@@ -41,9 +43,10 @@ class MassInverse {
 /// The Hodge star of k-forms that the Whitney mass is, with its inverse by factorisation. K must outlive it.
 /// Maps     primal k-form -> dual (n-k)-form, as HodgeStar does, with whitney_mass in place of the diagonal
 /// Matrix   symmetric, positive definite on every mesh
+/// A part of expressions on these two kinds of forms; the matrix of the inverse is made column by column, and dense.
 /// Law      star(star(w)) = (-1)^(k(n-k)) w up to rounding times the condition
 template <int n, int k>
-class WhitneyStar {
+class WhitneyStar : public Symbol {
  public:
   using Primal = Form<n, k, Side::primal>;
   using Dual = Form<n, n - k, Side::dual>;
@@ -79,6 +82,18 @@ class WhitneyStar {
     Primal result(*complex_);
     mass_.apply_inverse(w.values(), result.values());
     return result;
+  }
+
+  template <std::same_as<Primal> F>
+  [[nodiscard]] Operator<Primal, Dual> at() const {
+    return {*complex_, *complex_, [mass = mass_](auto x, auto y) { mass.apply(x, y); },
+            [mass = mass_] { return mass.matrix(); }};
+  }
+  template <std::same_as<Dual> F>
+  [[nodiscard]] Operator<Dual, Primal> at() const {
+    constexpr double sign = k * (n - k) % 2 == 0 ? 1 : -1;
+    return sign *
+           Operator<Dual, Primal>(*complex_, *complex_, [mass = mass_](auto x, auto y) { mass.apply_inverse(x, y); });
   }
 
  private:
