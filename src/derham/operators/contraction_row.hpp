@@ -40,7 +40,7 @@ void evaluate_field(const Field& X, const Corners<n>& corners, const Barycentric
     x[c] = 0;
     for (std::size_t v = 0; v <= n; ++v) x[c] += lambda[v] * corners[v][c];
   }
-  const auto value = X(std::span<const double>(x));
+  const auto& value = X(std::span<const double>(x));
   if (value.size() != x.size()) throw InputError(text("a field of ", value.size(), " components; expected ", x.size()));
   for (std::size_t c = 0; c < x.size(); ++c) to[c] = value[c];
 }
