@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """Measures libraries that have Python packages on the meshes that bench_peers --save wrote, and reports as Google Benchmark.
 
-usage: bench/peers/peers.py FOLDER REPORT.json [REPETITIONS]
+usage: bench/peers/peers.py FOLDER REPORT.json [REPETITIONS] [--benchmark_filter=REGEX]
 
 Every task is a function that prepares and returns what is timed, so that copying a mesh into a library is not counted.
-Packages that are missing are skipped.
+Packages that are missing are skipped, and tasks whose "name/order" the regular expression is not in.
 """
 import gc
 import importlib
 import json
+import re
 import sys
 import time
 from pathlib import Path
@@ -34,11 +35,11 @@ def numpy_faces(simplices, vertices):
         current = faces[first]
 
 
-def scipy_d1(simplices, vertices):
+def scipy_d1(simplices, vertices, dtype=np.float64):
     import scipy.sparse
     tables = numpy_faces(simplices, vertices)
     faces = tables[2][1]
-    values = np.tile([1.0, -1.0, 1.0], len(faces))
+    values = np.tile(np.array([1, -1, 1], dtype), len(faces))
     starts = 3 * np.arange(len(faces) + 1)
     return scipy.sparse.csr_array((values, faces.ravel(), starts), shape=(len(faces), len(tables[1][0])))
 
@@ -49,6 +50,12 @@ def numpy_construction(simplices, points):
 
 def scipy_derivative(simplices, points):
     matrix = scipy_d1(simplices, len(points))
+    x = np.ones(matrix.shape[1])
+    return lambda: matrix @ x
+
+
+def scipy_derivative_int8(simplices, points):
+    matrix = scipy_d1(simplices, len(points), np.int8)
     x = np.ones(matrix.shape[1])
     return lambda: matrix @ x
 
@@ -116,6 +123,7 @@ TASKS = [  # name, packages, number of vertices of a simplex, function
     ("construction: scikit-fem", "scikit-fem", 3, skfem_construction),
     ("construction: libigl (edges)", "libigl", 3, igl_construction),
     ("d_1 x: scipy", "scipy", 4, scipy_derivative),
+    ("d_1 x: scipy, values of int8", "scipy", 4, scipy_derivative_int8),
     ("curl-curl x: scipy, assembled", "scipy", 4, scipy_curl_curl),
     ("Laplacian and mass matrix: libigl", "libigl", 4, igl_laplacian),
     ("Laplacian and mass matrix: libigl", "libigl", 3, igl_laplacian),
@@ -154,13 +162,14 @@ def repetitions_of(task, simplices, points, count):
     return times
 
 
-def main(folder, report, count=5):
+def main(folder, report, count=5, regex=""):
     benchmarks = []
     for path in sorted(Path(folder).glob("*.npz")):
         with np.load(path) as file:
             simplices, points = file["simplices"], file["points"]
         for name, package, width, task in TASKS:
-            if simplices.shape[1] != width or not present(package):
+            wanted = re.search(regex, f"{name}/{path.stem}")
+            if simplices.shape[1] != width or not wanted or not present(package):
                 continue
             for i, elapsed in enumerate(repetitions_of(task, simplices, points, int(count))):
                 benchmarks.append({"run_name": f"{name}/{path.stem}/threads:1", "run_type": "iteration",
@@ -172,4 +181,5 @@ def main(folder, report, count=5):
 if __name__ == "__main__":
     if len(sys.argv) < 3:
         sys.exit(__doc__)
-    main(*sys.argv[1:])
+    given = [a for a in sys.argv[1:] if not a.startswith("--benchmark_filter=")]
+    main(*given, regex=next((a.partition("=")[2] for a in sys.argv if a.startswith("--benchmark_filter=")), ""))

@@ -50,6 +50,24 @@ Material random_tensors(Index rows, int width, std::uint32_t seed) {
   return material;
 }
 
+/// All minors of order k.
+template <int k>
+Eigen::MatrixXd compound(const Eigen::MatrixXd& A) {
+  const auto sets = subsets<k>(static_cast<int>(A.rows()));
+  const auto size = static_cast<Eigen::Index>(sets.size());
+  Eigen::MatrixXd result(size, size);
+  for (Eigen::Index p = 0; p < size; ++p)
+    for (Eigen::Index q = 0; q < size; ++q) {
+      Eigen::MatrixXd minor(k, k);
+      for (int i = 0; i < k; ++i)
+        for (int j = 0; j < k; ++j)
+          minor(i, j) = A(sets[static_cast<std::size_t>(p)][static_cast<std::size_t>(i)],
+                          sets[static_cast<std::size_t>(q)][static_cast<std::size_t>(j)]);
+      result(p, q) = minor.determinant();
+    }
+  return result;
+}
+
 /// The specification: ∫ ⟨W_σ, A W_τ⟩ by quadrature, simplex by simplex, every form evaluated by the Whitney map.
 template <int n, int k>
 Eigen::MatrixXd by_quadrature(const Space<n>& space, const Material& material) {
@@ -70,7 +88,7 @@ Eigen::MatrixXd by_quadrature(const Space<n>& space, const Material& material) {
         PrimalForm<n, k> basis(space.K);
         basis[faces[a]] = 1;
         auto x = W.at(basis, BarycentricPoint<n>{t, rule.points[q]});
-        if (material.width != 0 && k > 1) x = flux_vectors(x, d);
+        if (material.width != 0 && 2 * k > n) x = flux_vectors(x, d);
         for (std::size_t c = 0; c < x.size(); ++c)
           value(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(a)) = x[c];
       }
@@ -78,7 +96,8 @@ Eigen::MatrixXd by_quadrature(const Space<n>& space, const Material& material) {
       if (material.width == 0) {
         local = *A * value.transpose() * value;
       } else {
-        local = value.transpose() * Eigen::Map<const Eigen::MatrixXd>(A, d, d) * value;
+        const Eigen::MatrixXd tensor = Eigen::Map<const Eigen::MatrixXd>(A, d, d);
+        local = value.transpose() * (2 * k > n ? tensor : compound<k>(tensor)) * value;
       }
       for (std::size_t a = 0; a < faces.size(); ++a)
         for (std::size_t b = 0; b < faces.size(); ++b)
@@ -103,7 +122,7 @@ TYPED_TEST(WhitneyMass, IsTheIntegralOfProductsOfWhitneyForms) {
       expect_near(whitney_mass(space.K, space.g, k), (by_quadrature<n, k>(space, {})), 1e-12);
       expect_near(whitney_mass(space.K, space.g, k, numbers), (by_quadrature<n, k>(space, numbers)), 1e-12);
       const bool as_flux = k > 1 && space.g.coordinate_dimension() == n;
-      if (n >= 2 && (k == 1 || (k == n - 1 && as_flux))) {
+      if (0 < k && k < n && (2 * k <= n || as_flux)) {
         const auto tensors = random_tensors(space.K.size(n), space.g.coordinate_dimension(), 2);
         expect_near(whitney_mass(space.K, space.g, k, tensors), (by_quadrature<n, k>(space, tensors)), 1e-12);
       }
@@ -228,20 +247,114 @@ TYPED_TEST(WhitneyMass, TakesMaterialsByTag) {
   });
 }
 
+Material material_of(const Eigen::MatrixXd& tensor) {
+  return {.values = {tensor.data(), tensor.data() + tensor.size()}, .width = static_cast<int>(tensor.rows())};
+}
+
 // The identity as a tensor is the number 1, in every reading, on surfaces in space, too.
-TEST(WhitneyMass, OfTheIdentityTensorIsThatOfOne) {
-  const Space<2> torus(meshes::torus(7, 5));
-  const Space<3> box(test::random_mesh<3>(1)), raised(test::moved(test::random_mesh<3>(1), 5, 1, 1, 1));
-  const auto identity = [](int width) {
-    Material material{.values = std::vector<double>(static_cast<std::size_t>(width * width)), .width = width};
-    for (int i = 0; i < width; ++i) material.values[static_cast<std::size_t>(i * width + i)] = 1;
-    return material;
-  };
-  expect_near(whitney_mass(torus.K, torus.g, 1, identity(3)), whitney_mass(torus.K, torus.g, 1), 1e-13);
-  for (const int k : {1, 2}) {
-    expect_near(whitney_mass(box.K, box.g, k, identity(3)), whitney_mass(box.K, box.g, k), 1e-13);
-    expect_near(whitney_mass(raised.K, raised.g, k, identity(5)), whitney_mass(raised.K, raised.g, k), 1e-13);
+TYPED_TEST(WhitneyMass, OfTheIdentityTensorIsThatOfOne) {
+  constexpr int n = TypeParam::value;
+  const MeshData mesh = test::random_mesh<n>(1, 2);
+  const Space<n> box(mesh), raised(test::moved(mesh, n + 2, 1, 1, 1));
+  for (const Space<n>* space : {&box, &raised}) {
+    const int d = space->g.coordinate_dimension();
+    for (int k = 1; k < n; ++k)
+      expect_near(whitney_mass(space->K, space->g, k, material_of(Eigen::MatrixXd::Identity(d, d))),
+                  whitney_mass(space->K, space->g, k), 1e-12);
   }
+}
+
+TEST(WhitneyMass, OfTheIdentityTensorIsThatOfOneOnACurvedSurface) {
+  const Space<2> torus(meshes::torus(7, 5));
+  expect_near(whitney_mass(torus.K, torus.g, 1, material_of(Eigen::MatrixXd::Identity(3, 3))),
+              whitney_mass(torus.K, torus.g, 1), 1e-13);
+}
+
+/// A linear map of determinant not 1.
+template <int n>
+Eigen::MatrixXd stretch() {
+  Eigen::MatrixXd B = 1.3 * Eigen::MatrixXd::Identity(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) B(i, j) += 0.5 * std::sin(1.0 + 3 * i + 5 * j);
+  return B;
+}
+
+// The mesh moved by B has the mass of the mesh with the metric Bᵀ B, which is a tensor.
+TYPED_TEST(WhitneyMass, OfATensorIsThatOfAnAffineImage) {
+  constexpr int n = TypeParam::value;
+  MeshData mesh = test::random_mesh<n>(1, 2);
+  const Space<n> before(mesh);
+  const auto B = stretch<n>();
+  for (std::size_t v = 0; v < mesh.points.size(); v += n) {
+    const Eigen::VectorXd image = B * Eigen::Map<const Eigen::VectorXd>(mesh.points.data() + v, n);
+    std::copy(image.begin(), image.end(), mesh.points.begin() + static_cast<std::ptrdiff_t>(v));
+  }
+  const Space<n> after(mesh);
+  const Eigen::MatrixXd metric = B.transpose() * B;
+  const double volume = std::abs(B.determinant());
+  EXPECT_GT(std::abs(volume - 1), 0.05);
+  for (int k = 1; k < n; ++k) {
+    const Eigen::MatrixXd tensor = 2 * k <= n ? Eigen::MatrixXd(std::pow(volume, 1.0 / k) * metric.inverse())
+                                              : Eigen::MatrixXd(std::pow(volume, -1.0 / (n - k)) * metric);
+    const Eigen::MatrixXd symmetric = (tensor + tensor.transpose()) / 2;
+    expect_near(whitney_mass(before.K, before.g, k, material_of(symmetric)), whitney_mass(after.K, after.g, k), 1e-11);
+  }
+}
+
+// cᵀ M c = |M| αᵀ C α, C the minors of A of order k, or beyond n/2 det(A) times those of its inverse; and M is positive.
+TYPED_TEST(WhitneyMass, OfTensorsIsExactOnConstantFormsAndPositive) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space(test::random_mesh<n>(2, 2));
+  const auto volumes = primal_volumes(space.K, space.g)[n];
+  const double volume = Eigen::Map<const Eigen::VectorXd>(volumes.data(), space.K.size(n)).sum();
+  const Material material = random_tensors(1, n, 5);
+  const Eigen::MatrixXd A = Eigen::Map<const Eigen::MatrixXd>(material.values.data(), n, n);
+  for_each_degree<n - 1>([&]<int k>() {
+    if constexpr (k > 0) {
+      const auto form = test::random_form<k>(n, 0, 3);
+      const auto c = DeRhamMap<n>(space.K, space.g, 0).template components<k>(form);
+      const auto components = form(std::vector<double>(n));
+      const Eigen::VectorXd alpha =
+          Eigen::Map<const Eigen::VectorXd>(components.data(), static_cast<Eigen::Index>(components.size()));
+      const Eigen::MatrixXd C =
+          2 * k <= n ? compound<k>(A) : Eigen::MatrixXd(A.determinant() * compound<k>(A.inverse()));
+      const double expected = volume * alpha.dot(C * alpha);
+      const Sparse M = whitney_mass(space.K, space.g, k, material);
+      const Eigen::Map<const Eigen::VectorXd> values(c.values().data(), c.size());
+      EXPECT_NEAR(values.dot(M * values), expected, 1e-11 * expected) << "degree " << k;
+      const Sparse varied = whitney_mass(space.K, space.g, k, random_tensors(space.K.size(n), n, 6));
+      EXPECT_EQ(Sparse(varied - Sparse(varied.transpose())).norm(), 0) << "symmetric bit for bit";
+      if (M.rows() < 800) {
+        EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(varied, Eigen::EigenvaluesOnly).eigenvalues()[0], 0);
+      }
+    }
+  });
+}
+
+TEST(WhitneyMass, NamesTheSimplexOfABadTensor) {
+  const Space<4> space(meshes::box(4, 1));
+  const auto message = [&](int k, const Material& material) -> std::string {
+    try {
+      (void)whitney_mass(space.K, space.g, k, material);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  Material material = random_tensors(2, 4, 1);
+  material.row_of.assign(24, 0);
+  material.row_of[7] = 1;
+  EXPECT_EQ(message(2, material), "");
+  const auto expect_named = [&](int k) {
+    EXPECT_NE(message(k, material).find("4-simplex 7 = ("), std::string::npos) << message(k, material);
+  };
+  material.values[16 + 1] += 0.1;
+  expect_named(1);
+  material.values[16 + 1] = std::nan("");
+  expect_named(3);
+  for (std::size_t i = 16; i < 32; ++i) material.values[i] = i % 5 == 1 ? -1 : 0;
+  expect_named(2);
+  EXPECT_EQ(message(1, material), "") << "what minors do not hide";
 }
 
 TEST(WhitneyMass, HasTheSameBitsOnAnyNumberOfThreads) {

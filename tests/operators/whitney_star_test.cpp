@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace derham {
@@ -91,6 +92,12 @@ TEST(WhitneyStar, RefusesWhatHasNoInverse) {
   const Space<2> space(meshes::box(2, 2)), other(meshes::box(2, 2));
   EXPECT_THROW((WhitneyStar<2, 1>(space.K, space.g, Material{.values = {-1}})), GeometryError);
   EXPECT_THROW((WhitneyStar<2, 0>(space.K, space.g, Material{.values = {0}})), GeometryError);
+  try {
+    const WhitneyStar<2, 1> none(space.K, space.g, Material{.values = {2, -3}, .row_of = {0, 0, 0, 0, 0, 1, 0, 0}});
+    ADD_FAILURE() << "a negative material";
+  } catch (const GeometryError& error) {
+    EXPECT_NE(std::string(error.what()).find("2-simplex 5 = ("), std::string::npos) << error.what();
+  }
   const WhitneyStar<2, 1> star(space.K, space.g);
   EXPECT_THROW((void)star(PrimalForm<2, 1>(other.K)), InputError);
   std::vector<double> x(3);

@@ -33,8 +33,13 @@ struct Material {
 };
 
 /// Throws   InputError on a wrong shape, a row that is not there, a value that is not finite, or a tensor that is not
-///          symmetric to 1e-12 of its largest entry (names the first)
+///          symmetric to 1e-12 of its largest entry (names the first, and a top simplex that has it)
 template <int n>
 void require_fits(const Material& material, const SimplicialComplex<n>& K, const Geometry<n>& geometry);
+
+/// Tensors wider than n are passed over: only their tangential parts must be positive.
+/// Throws   GeometryError naming the first top simplex whose number is not positive or tensor not positive definite
+template <int n>
+void require_positive(const Material& material, const SimplicialComplex<n>& K);
 
 }  // namespace derham

@@ -13,6 +13,20 @@
 // Internal to this room.
 namespace derham::detail {
 
+/// subsets<k>(n), at compile time.
+template <int n, int k>
+constexpr auto lexicographic_subsets() noexcept {
+  std::array<std::array<int, static_cast<std::size_t>(k)>, static_cast<std::size_t>(binomial(n, k))> result{};
+  for (unsigned mask = 0, count = 0; mask < (1U << n); ++mask) {
+    if (std::popcount(mask) != k) continue;
+    for (std::size_t v = 0, i = 0; v < n; ++v)
+      if ((mask >> v) & 1U) result[count][i++] = static_cast<int>(v);
+    ++count;
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
 /// The mass matrix of one n-simplex is linear in the products ⟨dλ_S, A dλ_T⟩ of constant forms, S and T sets of k of the
 /// vertices 1, …, n: as dλ_0 = -Σ dλ_j, these give all others. The coefficients are the same for all simplices.
 template <int n, int k>
@@ -96,19 +110,7 @@ struct LocalMass {
   }
 
  private:
-  /// subsets<k>(n), at compile time.
-  static constexpr auto lexicographic() noexcept {
-    std::array<std::array<int, static_cast<std::size_t>(k)>, sets> result{};
-    for (unsigned mask = 0, count = 0; mask < (1U << n); ++mask) {
-      if (std::popcount(mask) != k) continue;
-      for (std::size_t v = 0, i = 0; v < n; ++v)
-        if ((mask >> v) & 1U) result[count][i++] = static_cast<int>(v);
-      ++count;
-    }
-    std::ranges::sort(result);
-    return result;
-  }
-  static constexpr auto columns = lexicographic();
+  static constexpr auto columns = lexicographic_subsets<n, k>();
 };
 
 }  // namespace derham::detail

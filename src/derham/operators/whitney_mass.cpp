@@ -26,20 +26,38 @@ void require_degree(int k) {
   if (k < 0 || k > n) throw InputError(text("a mass matrix of degree ", k, "; degrees are 0 to ", n));
 }
 
-/// A tensor of R^d as it acts on the components of k-forms in the frame of a simplex, (n, n).
-template <int n, int k>
-void tensor_in_frame(const SimplexFrame<n>& frame, const double* tensor, std::size_t d, double* result) {
+/// The symmetric part of a tensor of R^d in the frame of a simplex.
+template <int n>
+std::array<std::array<double, n>, n> tensor_in_frame(const SimplexFrame<n>& frame, const double* tensor,
+                                                     std::size_t d) {
+  std::array<std::array<double, n>, n> result{};
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      double sum = 0;
+    for (std::size_t j = 0; j < n; ++j)
       for (std::size_t a = 0; a < d; ++a)
         for (std::size_t b = 0; b < d; ++b)
-          sum += frame.axes()[i * d + a] * (tensor[a * d + b] + tensor[b * d + a]) / 2 * frame.axes()[j * d + b];
-      if constexpr (k == 1) {
-        result[i * n + j] = sum;
-      } else {  // component n-1-c of an (n-1)-form is (-1)^c times component c of the flux vector
-        result[(n - 1 - i) * n + n - 1 - j] = (i + j) % 2 == 0 ? sum : -sum;
+          result[i][j] +=
+              frame.axes()[i * d + a] * (tensor[a * d + b] + tensor[b * d + a]) / 2 * frame.axes()[j * d + b];
+  return result;
+}
+
+/// What A does to k-forms in components, (C(n, k), C(n, k)): the compound matrix of its minors of order k for k <= n/2,
+/// else that of order n-k on ⋆ of the forms. With complements in the reverse order and ⋆e_I = ± e_I', I' = rest of I.
+template <int n, int k>
+void compound(const std::array<std::array<double, n>, n>& A, double* result) {
+  constexpr bool direct = 2 * k <= n;
+  constexpr int order = direct ? k : n - k;
+  constexpr auto sets = detail::lexicographic_subsets<n, order>();
+  constexpr std::size_t size = sets.size();
+  for (std::size_t p = 0; p < size; ++p)
+    for (std::size_t q = 0; q < size; ++q) {
+      std::array<const double*, static_cast<std::size_t>(order)> rows{};
+      int sum = 0;
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i] = A[static_cast<std::size_t>(sets[p][i])].data();
+        sum += sets[p][i] + sets[q][i];
       }
+      const double minor = minor_of<order>(rows, sets[q]);
+      result[direct ? p * size + q : (size - 1 - p) * size + size - 1 - q] = direct || sum % 2 == 0 ? minor : -minor;
     }
 }
 
@@ -48,10 +66,11 @@ template <int n, int k>
 BulkArray<double> constant_products(const SimplicialComplex<n>& K, const Geometry<n>& geometry,
                                     const Material& material) {
   using Local = detail::LocalMass<n, k>;
-  constexpr bool takes_tensors = n >= 2 && (k == 1 || k == n - 1);
+  constexpr bool takes_tensors = 0 < k && k < n;
   if (material.width != 0 && !takes_tensors)
     throw InputError(text("a material of tensors for ", k, "-forms in dimension ", n,
-                          "; tensors weigh 1-forms and (n-1)-forms, n >= 2, others numbers only"));
+                          "; functions and densities have no direction to weigh: give numbers"));
+  if (material.width != 0 && 1 < k && k < n - 1) require_positive(material, K);  // minors would hide signs
   BulkArray<double> result(static_cast<std::size_t>(K.size(n)) * Local::products);
   parallel_blocks(K.size(n), grain, [&](Offset begin, Offset end) {
     const int d = geometry.coordinate_dimension();
@@ -62,7 +81,7 @@ BulkArray<double> constant_products(const SimplicialComplex<n>& K, const Geometr
       double* const products = result.data() + static_cast<std::size_t>(t) * Local::products;
       if constexpr (takes_tensors) {
         if (material.width != 0) {
-          tensor_in_frame<n, k>(frame, material.of(t), static_cast<std::size_t>(d), tensor.data());
+          compound<n, k>(tensor_in_frame<n>(frame, material.of(t), static_cast<std::size_t>(d)), tensor.data());
           Local::multiply(frame, 1, tensor.data(), products);
           continue;
         }

@@ -52,9 +52,10 @@ class WhitneyStar : public Symbol {
   using Dual = Form<n, n - k, Side::dual>;
 
   /// Cost     assembly and factorisation
-  /// Throws   as whitney_mass; TopologyError if K is not orientable; GeometryError if the material is not positive
+  /// Throws   as whitney_mass; TopologyError if K is not orientable; GeometryError naming a top simplex whose material
+  ///          is not positive
   WhitneyStar(const SimplicialComplex<n>& K, const Geometry<n>& geometry, const Material& material = {})
-      : complex_(&require_orientable(K)), mass_(whitney_mass(K, geometry, k, material)) {}
+      : complex_(&require_orientable(K)), mass_(whitney_mass(K, geometry, k, require_sound(material, K, geometry))) {}
   WhitneyStar(SimplicialComplex<n>&&, const Geometry<n>&, const Material& = {}) = delete;
 
   [[nodiscard]] const SimplicialComplex<n>& complex() const noexcept { return *complex_; }
@@ -97,6 +98,12 @@ class WhitneyStar : public Symbol {
   }
 
  private:
+  static const Material& require_sound(const Material& material, const SimplicialComplex<n>& K,
+                                       const Geometry<n>& geometry) {
+    require_fits(material, K, geometry);
+    require_positive(material, K);
+    return material;
+  }
   static const SimplicialComplex<n>& require_orientable(const SimplicialComplex<n>& K) {
     if (!K.is_orientable())
       throw TopologyError(
