@@ -4,6 +4,7 @@
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/geometry/naming.hpp"
+#include "derham/geometry/simplex_inequalities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,10 +135,8 @@ template <int n>
 Geometry<n> Geometry<n>::from_squared_lengths(const SimplicialComplex<n>& K, std::span<const double> squares) {
   require_pure(K);
   require_shape("squared lengths", squares.size(), K.size(1), "edges", 1);
-  for (std::size_t e = 0; e < squares.size(); ++e)
-    if (!std::isfinite(squares[e]) || squares[e] <= 0)
-      throw GeometryError(text("squared length of edge ", e, " = ", tuple_text(K.simplex(1, static_cast<Index>(e))),
-                               " is ", squares[e], "; it must be positive and finite"));
+  if (std::ranges::any_of(squares, [](double square) { return !std::isfinite(square) || square <= 0; }))
+    require_simplex_inequalities(K, squares);
   // Cholesky's factor of the Gram matrix of the edges from corner 0 has their coordinates as rows.
   std::vector<double> corners(static_cast<std::size_t>(K.size(n)) * (n + 1) * n, 0.0);
   for (Index t = 0; t < K.size(n); ++t) {
@@ -153,12 +152,8 @@ Geometry<n> Geometry<n>::from_squared_lengths(const SimplicialComplex<n>& K, std
         const double pivot = row[j * n + j - 1];
         if (j < i) {
           row[i * n + j - 1] = pivot > 0 ? rest / pivot : 0;
-        } else if (rest < -1e-14 * square(0, i)) {
-          throw GeometryError(text("no Euclidean simplex has the edge lengths of ", simplex_text(K, n, t),
-                                   ": the squared altitude of its vertex ",
-                                   K.simplex(n, t)[static_cast<std::size_t>(i)], " would be ", rest,
-                                   "; edge lengths must satisfy the simplex inequalities"));
         } else {
+          if (rest < -1e-14 * square(0, i)) require_simplex_inequalities(K, squares);
           row[i * n + i - 1] = std::sqrt(std::max(rest, 0.0));
         }
       }

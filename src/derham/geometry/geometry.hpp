@@ -55,8 +55,8 @@ class Geometry {
   [[nodiscard]] static Geometry from_corners(const SimplicialComplex<n>& K, std::vector<double> corners, int m);
 
   /// From squared edge lengths: shape (|E|,), units length^2.
-  /// Throws   TopologyError if K is not pure; InputError on a wrong shape; GeometryError naming an edge whose value is
-  ///          not finite and positive, or a top simplex that no Euclidean simplex has these lengths (a flat one is
+  /// Throws   TopologyError if K is not pure; InputError on a wrong shape; GeometryError as require_simplex_inequalities,
+  ///          naming the first simplex that cannot have these lengths; impossible_simplices lists all (a flat one is
   ///          accepted here and reported as degenerate later)
   [[nodiscard]] static Geometry from_squared_lengths(const SimplicialComplex<n>& K, std::span<const double> squares);
 
