@@ -15,7 +15,7 @@ namespace derham {
 /// that is the inner product of a and c.
 /// Laws     pair(d(a), b) + (-1)^k pair(a, d(b)) = 0 for a dual (n-k-1)-form b, to round-off
 /// Throws   InputError if the forms belong to different complexes
-/// Source   Elcott & Schröder, "Building your own DEC at home", §6.2; Hirani 2003, §7.2
+/// Source   Elcott & Schröder, "Building your own DEC at home", §6.2; Hirani 2003, chapter 7
 template <int n, int k>
 [[nodiscard]] double pair(const Form<n, k, Side::primal>& a, const Form<n, n - k, Side::dual>& b) {
   if (&a.complex() != &b.complex()) throw InputError("the forms belong to different complexes");

@@ -42,7 +42,7 @@ template <int n, int k>
 ///          and the part of their boundary inside ∂K is not represented
 /// Throws   TopologyError if K is not orientable
 /// Source   Desbrun, Kanso, Tong, "Discrete differential forms for computational modeling", 2008, §6; sign derived
-///          there and in Hirani 2003, §3.6
+///          in docs/operators/conventions.md
 template <int n, int j>
   requires(j < n)
 [[nodiscard]] Form<n, j + 1, Side::dual> d(const Form<n, j, Side::dual>& w) {

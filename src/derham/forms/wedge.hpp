@@ -41,7 +41,7 @@ template <int n>
 /// Cost     as above
 /// Throws   InputError if the forms belong to different complexes
 /// Source   Whitney, "On products in a complex", 1938; Wilson, "Cochain algebra on manifolds and convergence under
-///          refinement", 2007, §5. Hirani 2003, definition 7.1.1, has other factors
+///          refinement", 2007, §5. Hirani 2003, chapter 7, has other factors
 template <int n, int p, int q>
   requires(p + q <= n)
 [[nodiscard]] PrimalForm<n, p + q> wedge(const PrimalForm<n, p>& a, const PrimalForm<n, q>& b) {

@@ -21,7 +21,7 @@ namespace derham {
 /// Maps     primal k-form -> dual (n-k)-form        Shape   (|K_k|,) the diagonal
 /// Matrix   diagonal; all entries positive iff no dual volume is zero or negative (see dual_report)
 /// Units    length^(n-2k), times the material's
-/// Source   Elcott & Schröder, "Building your own DEC at home", §6.2; Hirani 2003, §4.1
+/// Source   Elcott & Schröder, "Building your own DEC at home", §6.2; Hirani 2003, chapter 4
 template <int n>
 class HodgeStar {
  public:

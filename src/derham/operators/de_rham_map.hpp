@@ -26,7 +26,7 @@ namespace derham {
 /// Values of top degree are those on the positively oriented simplex.
 /// Law      R(dω) = d(Rω) up to the error of the rule: to round-off for polynomials it is exact on
 /// Cost     (order/2 + 1)^k calls for every k-simplex, on all threads; the same bits for any number of them
-/// Source   Whitney, "Geometric integration theory", 1957, §IV.27; Hirani 2003, §3.2
+/// Source   Whitney, "Geometric integration theory", 1957, §IV.27
 template <int n>
 class DeRhamMap {
  public:

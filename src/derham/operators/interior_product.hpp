@@ -30,7 +30,7 @@ namespace derham {
 /// Exact    on dual forms for constant X and w; on primal n-forms of constant density; on primal 1-forms in the plane on
 ///          lattices of equilateral triangles, as dual polygons do not know their shape
 /// Throws   GeometryError naming simplices whose dual volume is zero; InputError for forms of different complexes
-/// Source   Hirani 2003, lemma 8.2.1
+/// Source   Hirani 2003, chapter 8
 template <int n, int k, Side side, Side other>
   requires(k >= 1 && side != other)
 [[nodiscard]] Form<n, k - 1, side> interior_product(const HodgeStar<n>& star, const Form<n, 1, other>& X_flat,

@@ -12,7 +12,7 @@ namespace derham {
 /// Laws     δδ = 0; ⟨da, b⟩ = ⟨a, δb⟩ for primal forms, in ⟨a, b⟩ = pair(a, ⋆b): to round-off on every mesh
 /// Boundary natural: dual cells are open there, the flux of b through ∂M counts as zero
 /// Throws   when applied: GeometryError naming simplices whose dual volume is zero
-/// Source   Hirani 2003, §3.7; signs as in Abraham, Marsden, Ratiu, "Manifolds, tensor analysis and applications", §6.5
+/// Source   Hirani 2003, chapter 4; signs as in Abraham, Marsden, Ratiu, "Manifolds, tensor analysis and applications", §6.5
 template <class F>
   requires(F::degree >= 1)
 [[nodiscard]] auto codifferential(const HodgeStar<F::dimension>& star) {

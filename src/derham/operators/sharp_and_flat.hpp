@@ -37,7 +37,7 @@ template <int n>
 /// Exact    for constant forms, with weights of any sign, at the boundary too
 /// Invalid  tangentially on surfaces in space: a mean of vectors of different planes
 /// Throws   GeometryError if there are edge lengths only: then vectors of different simplices cannot be compared
-/// Source   Hirani 2003, §5.8
+/// Source   Hirani 2003, definition 5.8.1
 template <int n>
   requires(n >= 1)
 [[nodiscard]] std::vector<double> pp_sharp(const Geometry<n>& geometry, const PrimalForm<n, 1>& w);
@@ -48,7 +48,7 @@ template <int n>
 /// Shape    vectors (|K_n|, d)
 /// Exact    for constant fields
 /// Invalid  as an accurate mean where shares of different signs nearly cancel: then differences of X_T are amplified
-/// Source   Hirani 2003, §5.6
+/// Source   Hirani 2003, definition 5.5.2
 template <int n>
   requires(n >= 1)
 [[nodiscard]] PrimalForm<n, 1> dpp_flat(const SimplicialComplex<n>& K, const Geometry<n>& geometry,
@@ -58,7 +58,7 @@ template <int n>
 /// Shape    vectors (|K_n|, d)
 /// Exact    for constant fields: (-1)^(n-1) ⋆ of the flux; at the boundary along the half edge inside
 /// Throws   TopologyError if K is not orientable: dual edges have no direction then
-/// Source   Hirani 2003, §5.5
+/// Source   Hirani 2003, chapter 5
 template <int n>
   requires(n >= 1)
 [[nodiscard]] DualForm<n, 1> dpd_flat(const SimplicialComplex<n>& K, const Geometry<n>& geometry,
@@ -68,7 +68,7 @@ template <int n>
 /// Shape    vectors (|V|, d)
 /// Exact    for linear fields; of second order for others
 /// Throws   GeometryError if there are edge lengths only
-/// Source   Hirani 2003, §5.4
+/// Source   Hirani 2003, chapter 5
 template <int n>
   requires(n >= 1)
 [[nodiscard]] PrimalForm<n, 1> ppp_flat(const SimplicialComplex<n>& K, const Geometry<n>& geometry,

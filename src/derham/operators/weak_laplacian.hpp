@@ -15,7 +15,7 @@ namespace derham {
 /// Matrix   symmetric; positive semi-definite with kernel of dimension β_k where ⋆_{k-1}, ⋆_k, ⋆_{k+1} are positive
 /// Cost     three sparse products
 /// Throws   InputError unless 0 <= k <= n; GeometryError naming (k-1)-simplices whose dual volume is zero: use the mixed form
-/// Source   Hirani 2003, §3.7; Bell & Hirani, "PyDEC", 2012
+/// Source   Bell & Hirani, "PyDEC", 2012
 template <int n>
   requires(n >= 1)
 [[nodiscard]] SparseMatrix weak_laplace_de_rham(const HodgeStar<n>& star, int k);
