@@ -2,6 +2,7 @@
 
 #include "derham/boundary/eigen.hpp"
 #include "derham/core/error.hpp"
+#include "derham/forms/dual_wedge.hpp"
 #include "derham/forms/exterior_derivative.hpp"
 #include "derham/hodge/eigen.hpp"
 #include "derham/operators/laplace_de_rham.hpp"
@@ -84,6 +85,29 @@ TYPED_TEST(FormSpaces, AreKeptByD) {
     for (const Index i : space.prescribed(k + 1)) EXPECT_EQ(dw[i], 0);
     EXPECT_EQ(space.extended(space.restricted(w), w), w);
     EXPECT_EQ(space.free(k).size() + space.prescribed(k).size(), static_cast<std::size_t>(box.K.size(k)));
+  });
+}
+
+/// ⟨da, b⟩ = ⟨a, δb⟩ with either boundary condition: for all a with the natural δ, and for a that vanish on ∂K with whatever δb is
+/// there.
+TYPED_TEST(FormSpaces, CodifferentialIsAdjointToD) {
+  constexpr int n = TypeParam::value;
+  const Space<n> box(test::generic_mesh<n>(2, 2));
+  const HodgeStar<n> star(box.K, box.g);
+  const auto relative = FormSpace<n>::relative(box.K);
+  for_each_degree<n - 1>([&]<int k>() {
+    const auto a = random_form<n, k>(box.K, 1), anything = random_form<n, k>(box.K, 2);
+    const auto b = random_form<n, k + 1>(box.K, 3);
+    const auto db = codifferential(star, b);
+    const auto expect_adjoint = [&](const PrimalForm<n, k>& x, const PrimalForm<n, k>& delta) {
+      double size = 0;
+      for (Index i = 0; i < x.size(); ++i)
+        size += std::abs(x[i] * star.diagonal(k)[static_cast<std::size_t>(i)] * delta[i]);
+      EXPECT_NEAR(pair(d(x), star(b)), pair(x, star(delta)), 1e-11 * size) << "degree " << k;
+    };
+    expect_adjoint(a, db);
+    expect_adjoint(relative.template extended<k>(relative.restricted(a)),
+                   relative.extended(relative.restricted(db), anything));
   });
 }
 
