@@ -222,7 +222,7 @@ TYPED_TEST(Conventions, CirculationsAndFluxes) {
   for (std::size_t i = 0; i < n; ++i) X[i] = 1 + static_cast<double>(i);
   const DeRhamMap<n> R(space.K, space.g, 0);
   const auto one = [](Point) { return 1.0; };
-  const auto field = [&X](Point) -> const Vector& { return X; };
+  const auto field = [&X](Point) { return Vector(X); };
   const Constant volume{{(1U << n) - 1, 1.0}};
   EXPECT_EQ(star(covector(X), n), contracted(X, volume));
   const auto circulation = R.circulation(field) - discrete<n, 1>(space, covector(X), one);
@@ -239,7 +239,7 @@ Vector cross(const Vector& a, const Vector& b) {
 TEST(VectorCalculusConventions, InSpace) {
   const Waves<3> waves;
   const DeRhamMap<3> R(waves.space.K, waves.space.g, 4);
-  const auto wave = [&](Vector b, bool sine) {
+  const auto wave = [&](const Vector& b, bool sine) {
     return [&waves, b, sine](Point x) {
       const double f = sine ? std::sin(waves.phase(x)) : std::cos(waves.phase(x));
       return Vector{b[0] * f, b[1] * f, b[2] * f};
@@ -265,7 +265,7 @@ TEST(VectorCalculusConventions, InSpace) {
 TEST(VectorCalculusConventions, InThePlane) {
   const Waves<2> waves;
   const DeRhamMap<2> R(waves.space.K, waves.space.g, 4);
-  const auto wave = [&](Vector b, bool sine) {
+  const auto wave = [&](const Vector& b, bool sine) {
     return [&waves, b, sine](Point x) {
       const double f = sine ? std::sin(waves.phase(x)) : std::cos(waves.phase(x));
       return Vector{b[0] * f, b[1] * f};
