@@ -40,8 +40,8 @@ def scipy_d1(simplices, vertices, dtype=np.float64):
     tables = numpy_faces(simplices, vertices)
     faces = tables[2][1]
     values = np.tile(np.array([1, -1, 1], dtype), len(faces))
-    starts = 3 * np.arange(len(faces) + 1)
-    return scipy.sparse.csr_array((values, faces.ravel(), starts), shape=(len(faces), len(tables[1][0])))
+    starts = 3 * np.arange(len(faces) + 1, dtype=np.int32)  # csr_array would keep indices of 64 bits
+    return scipy.sparse.csr_array((values, faces.ravel().astype(np.int32), starts), shape=(len(faces), len(tables[1][0])))
 
 
 def numpy_construction(simplices, points):
