@@ -33,8 +33,7 @@ template <int k, int n>
 
 /// The part of degree k with this name.
 /// Throws   InputError if there is none, naming those there are, or if there are several
-template <int k, int n>
-[[nodiscard]] Chain<n, k> tagged_chain(const SimplicialComplex<n>& K, const MeshData& mesh, std::string_view name) {
+[[nodiscard]] inline const MeshPart& tagged_part(const MeshData& mesh, int k, std::string_view name) {
   const MeshPart* found = nullptr;
   std::string others;
   for (const MeshPart& part : mesh.parts) {
@@ -47,7 +46,13 @@ template <int k, int n>
   if (found == nullptr)
     throw InputError(
         text("no part of degree ", k, " is called '", name, "'; there are ", others.empty() ? "none" : others));
-  return tagged_chain<k>(K, mesh, *found);
+  return *found;
+}
+
+/// The chain of the part of degree k with this name. Throws as both.
+template <int k, int n>
+[[nodiscard]] Chain<n, k> tagged_chain(const SimplicialComplex<n>& K, const MeshData& mesh, std::string_view name) {
+  return tagged_chain<k>(K, mesh, tagged_part(mesh, k, name));
 }
 
 }  // namespace derham
