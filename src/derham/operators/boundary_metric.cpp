@@ -3,6 +3,7 @@
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/forms/trace.hpp"
+#include "derham/geometry/volumes.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -36,14 +37,10 @@ template <int n>
 std::vector<double> boundary_squares(const SimplicialComplex<n>& K, const Geometry<n>& geometry,
                                      const BoundaryComplex<n>& B) {
   std::vector<double> squares;
-  if constexpr (n >= 2)
-    for (const Index e : B.inclusion[1]) {
-      const auto ends = geometry.template corners<1>(K, e);
-      double sum = 0;
-      for (int c = 0; c < geometry.coordinate_dimension(); ++c)
-        sum += (ends[1][c] - ends[0][c]) * (ends[1][c] - ends[0][c]);
-      squares.push_back(sum);
-    }
+  if constexpr (n >= 2) {
+    const auto all = squared_lengths(K, geometry);
+    for (const Index e : B.inclusion[1]) squares.push_back(all[static_cast<std::size_t>(e)]);
+  }
   return squares;
 }
 
