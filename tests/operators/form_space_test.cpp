@@ -6,12 +6,15 @@
 #include "derham/forms/exterior_derivative.hpp"
 #include "derham/hodge/eigen.hpp"
 #include "derham/operators/laplace_de_rham.hpp"
+#include "derham/operators/tagged_facets.hpp"
+#include "operators/sided_box.hpp"
 #include "operators/spaces.hpp"
 #include "support/random_forms.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -70,6 +73,28 @@ TYPED_TEST(FormSpaces, HaveTheCohomologyOfTheirPair) {
   expect_cohomology(FormSpace<n>(box.K), absolute);
   expect_cohomology(FormSpace<n>::relative(box.K), relative);
   expect_cohomology(FormSpace<n>(box.K, left_side(box)), none);
+}
+
+/// Two opposite sides, tagged: a path from one to the other is a cycle of the pair.
+TYPED_TEST(FormSpaces, OfTagsHaveTheCohomologyOfTheirPair) {
+  constexpr int n = TypeParam::value;
+  const MeshData mesh = test::with_sides<n>(meshes::box(n, n < 4 ? 2 : 1));
+  const SimplicialComplex<n> K(mesh.simplices);
+  std::array<Index, n + 1> two_sides{}, none{};
+  two_sides[1] = 1;
+  expect_cohomology(FormSpace<n>(K, tagged_facets(K, mesh, {"0-", "0+"})), two_sides);
+  expect_cohomology(FormSpace<n>(K, tagged_facets(K, mesh, {"0+"})), none);
+}
+
+/// A side and a sheet inside, which is a part like any other.
+TEST(FormSpace, TakesSheetsInside) {
+  const Space<3> box(meshes::box(3, 2));
+  std::vector<Index> facets = left_side(box);
+  for (Index f = 0; f < box.K.size(2); ++f) {
+    const auto on_sheet = [&](Index v) { return box.g.points()[static_cast<std::size_t>(v) * 3] == 0.5; };
+    if (std::ranges::all_of(box.K.simplex(2, f), on_sheet)) facets.push_back(f);
+  }
+  expect_cohomology(FormSpace<3>(box.K, facets), {0, 1, 0, 0});
 }
 
 TYPED_TEST(FormSpaces, AreKeptByD) {

@@ -7,16 +7,17 @@
 #include "derham/operators/tagged_facets.hpp"
 #include "operators/spaces.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 #include <string>
 #include <vector>
 
-// The unit box with its sides as tagged parts, and forms with constant derivative on it, for boundary conditions.
+// A box with its sides as tagged parts, and forms with constant derivative on it, for boundary conditions.
 namespace derham::test {
 
-/// A box whose sides are parts: "0-" is where coordinate 0 is 0, "0+" where it is 1, ….
+/// A box whose sides are parts: "0-" is where coordinate 0 is 0, "0+" where it is largest, ….
 template <int n>
 MeshData with_sides(MeshData mesh) {
   const SimplicialComplex<n> K(mesh.simplices);
@@ -26,8 +27,10 @@ MeshData with_sides(MeshData mesh) {
     return true;
   };
   if constexpr (n > 1) mesh.lower.resize(n);
-  for (std::size_t axis = 0; axis < n; ++axis)
-    for (const double value : {0.0, 1.0}) {
+  for (std::size_t axis = 0; axis < n; ++axis) {
+    double length = 0;
+    for (std::size_t v = axis; v < mesh.points.size(); v += n) length = std::max(length, mesh.points[v]);
+    for (const double value : {0.0, length}) {
       MeshPart part{std::to_string(axis) + (value == 0 ? "-" : "+"), static_cast<std::int64_t>(mesh.parts.size()), n - 1, {}};
       for (Index f = 0; f < K.size(n - 1); ++f) {
         if (!on_side(f, axis, value)) continue;
@@ -40,6 +43,7 @@ MeshData with_sides(MeshData mesh) {
       }
       mesh.parts.push_back(part);
     }
+  }
   return mesh;
 }
 
