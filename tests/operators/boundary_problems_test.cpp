@@ -165,7 +165,8 @@ double error_of_quadratic_solution(Index cells) {
 
 template <class Star, int n>
 void expect_second_order(Index cells) {
-  const double coarse = error_of_quadratic_solution<Star, n>(cells), fine = error_of_quadratic_solution<Star, n>(2 * cells);
+  const double coarse = error_of_quadratic_solution<Star, n>(cells),
+               fine = error_of_quadratic_solution<Star, n>(2 * cells);
   const double order = std::log2(coarse / fine);
   EXPECT_GT(order, 1.8) << "errors " << coarse << ", " << fine;
   EXPECT_LT(order, 2.6) << "errors " << coarse << ", " << fine;
@@ -223,8 +224,9 @@ double reflected_energy(double h) {
              M = restricted(whitney_mass(box.K, box.g, 1)),
              C = restricted(robin_matrix(box.K, box.B, 1, whitney_mass(box.B.complex, box.gB, 1, impedance)));
   const auto field = [&](auto&& y) -> Eigen::VectorXd {
-    const auto w = DeRhamMap<2>(box.K, box.g, 5).circulation(
-        [&](std::span<const double> x) { return std::array<double, 2>{0, y((x[0] - 0.5) / 0.1)}; });
+    const auto w = DeRhamMap<2>(box.K, box.g, 5).circulation([&](std::span<const double> x) {
+      return std::array<double, 2>{0, y((x[0] - 0.5) / 0.1)};
+    });
     return E.transpose() * vector_of(w);
   };
   Eigen::VectorXd e = field([](double s) { return std::exp(-s * s); }),
@@ -251,8 +253,8 @@ TEST(Impedance, ReflectsAsMuchAsItShould) {
 template <int n, int k>
 double error_of_constant_solution(const SidedBox<n>& box, std::size_t shift) {
   const auto form = test::random_constant<n, k>(21);
-  const auto u = DeRhamMap<n>(box.K, box.g, 0).template components<k>(
-      [&](std::span<const double>) { return form.components; });
+  const auto u =
+      DeRhamMap<n>(box.K, box.g, 0).template components<k>([&](std::span<const double>) { return form.components; });
   std::array<std::vector<Index>, 2> prescribed;  // of σ, of u
   DualForm<n, n - k + 1> load(box.K);
   for (std::size_t s = 0; s < box.sides.size(); ++s) {
@@ -275,7 +277,8 @@ double error_of_constant_solution(const SidedBox<n>& box, std::size_t shift) {
   const auto fixed = u - space.template extended<k>(space.restricted(u));
   b -= mixed.matrix.rightCols(box.K.size(k)) * vector_of(fixed);
 
-  Eigen::MatrixXd E = Eigen::MatrixXd::Zero(mixed.matrix.rows(), sigma.extension(k - 1).cols() + space.extension(k).cols());
+  Eigen::MatrixXd E =
+      Eigen::MatrixXd::Zero(mixed.matrix.rows(), sigma.extension(k - 1).cols() + space.extension(k).cols());
   E.topLeftCorner(mixed.sigma, sigma.extension(k - 1).cols()) = sigma.extension(k - 1);
   E.bottomRightCorner(box.K.size(k), space.extension(k).cols()) = space.extension(k);
   const Eigen::VectorXd x = E * (E.transpose() * mixed.matrix * E).fullPivLu().solve(E.transpose() * b);

@@ -81,14 +81,14 @@ TYPED_TEST(BoundaryTerms, CloseTheCellsForConstantForms) {
   for_each_degree<n - 1>([&]<int k>() {
     const KoszulForm<n, k> u;
     const auto du = d(u.on(box.K, box.g));
-    const auto diagonal = side_loads<n, k>(box, u, [&](const Material& part) {
-      return HodgeStar<n - 1>(box.B.complex, box.gB, Circumcentric{}, part);
-    });
+    const auto diagonal = side_loads<n, k>(
+        box, u, [&](const Material& part) { return HodgeStar<n - 1>(box.B.complex, box.gB, Circumcentric{}, part); });
     const auto whitney =
         side_loads<n, k>(box, u, [&](const Material& part) { return whitney_mass(box.B.complex, box.gB, k, part); });
     const HodgeStar<n> star(box.K, box.g);
     const SparseMatrix M = whitney_mass(box.K, box.g, k + 1), D = to_eigen(coboundary_matrix(box.K, k));
-    const Eigen::Map<const Eigen::VectorXd> x(du.values().data(), du.size()), b(whitney.values().data(), whitney.size());
+    const Eigen::Map<const Eigen::VectorXd> x(du.values().data(), du.size()),
+        b(whitney.values().data(), whitney.size());
     EXPECT_LT((D.transpose() * (M * x) - b).norm(), 1e-12 * b.norm()) << "Whitney, degree " << k;
 
     double largest = 0;
@@ -96,7 +96,8 @@ TYPED_TEST(BoundaryTerms, CloseTheCellsForConstantForms) {
     DualForm<n - 1, n - 1 - k> data(box.B.complex);  // `diagonal` as a form on ∂K
     for (Index i = 0; i < data.size(); ++i)
       data[i] = box.B.complex.sign(k, i) * diagonal[box.B.inclusion[k][static_cast<std::size_t>(i)]];
-    EXPECT_LT(support::distance(d(star(du), box.B, data), DualForm<n, n - k>(box.K)), 1e-12 * largest) << "degree " << k;
+    EXPECT_LT(support::distance(d(star(du), box.B, data), DualForm<n, n - k>(box.K)), 1e-12 * largest)
+        << "degree " << k;
   });
 }
 
@@ -117,10 +118,12 @@ TYPED_TEST(BoundaryTerms, GiveTheGradientOfDualFunctionsUpToTheBoundary) {
   DualForm<n - 1, 0> on_boundary(B.complex);
   for (Index t = 0; t < p.size(); ++t) p[t] = pressure(circumcenter(space.K, space.g, n, t).point);
   for (Index f = 0; f < on_boundary.size(); ++f)
-    on_boundary[f] = pressure(circumcenter(space.K, space.g, n - 1, B.inclusion[n - 1][static_cast<std::size_t>(f)]).point);
+    on_boundary[f] =
+        pressure(circumcenter(space.K, space.g, n - 1, B.inclusion[n - 1][static_cast<std::size_t>(f)]).point);
   // In dimension 1 the points of ∂K are positive, whichever way is out; the boundary value counts in that direction.
   if constexpr (n == 1) {
-    const auto ends = trace(B, PrimalForm<1, 0>(space.K, std::vector<double>(space.g.points().begin(), space.g.points().end())));
+    const auto ends =
+        trace(B, PrimalForm<1, 0>(space.K, std::vector<double>(space.g.points().begin(), space.g.points().end())));
     for (Index f = 0; f < on_boundary.size(); ++f)
       if (ends[f] < 0.5) on_boundary[f] *= -1;
   }

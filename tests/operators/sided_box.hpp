@@ -31,7 +31,8 @@ MeshData with_sides(MeshData mesh) {
     double length = 0;
     for (std::size_t v = axis; v < mesh.points.size(); v += n) length = std::max(length, mesh.points[v]);
     for (const double value : {0.0, length}) {
-      MeshPart part{std::to_string(axis) + (value == 0 ? "-" : "+"), static_cast<std::int64_t>(mesh.parts.size()), n - 1, {}};
+      MeshPart part{
+          std::to_string(axis) + (value == 0 ? "-" : "+"), static_cast<std::int64_t>(mesh.parts.size()), n - 1, {}};
       for (Index f = 0; f < K.size(n - 1); ++f) {
         if (!on_side(f, axis, value)) continue;
         if constexpr (n == 1) {
@@ -112,7 +113,8 @@ struct KoszulForm {
   }
 
   /// i_ν du on ∂K for a constant ν.
-  [[nodiscard]] PrimalForm<n - 1, k> normal_derivative(const SidedBox<n>& box, const std::array<double, n>& normal) const {
+  [[nodiscard]] PrimalForm<n - 1, k> normal_derivative(const SidedBox<n>& box,
+                                                       const std::array<double, n>& normal) const {
     return DeRhamMap<n - 1>(box.B.complex, box.gB, 0)
         .template form<k>([&](std::span<const double>, std::span<const double> rows) {
           return (k + 1) * b.contracted(normal.data(), rows);

@@ -39,7 +39,7 @@ template <int n, int k>
 /// Matrix   (-1)^(n-j) ∂_{n-j}
 /// Law      d(d(w)) = 0
 /// Valid    not at the boundary unless the form vanishes there (homogeneous natural data): dual cells are open at ∂K,
-///          and the part of their boundary inside ∂K is not represented
+///          and the part of their boundary inside ∂K is not represented; with its values: trace.hpp
 /// Throws   TopologyError if K is not orientable
 /// Source   Desbrun, Kanso, Tong, "Discrete differential forms for computational modeling", 2008, §6; sign derived
 ///          in docs/operators/conventions.md

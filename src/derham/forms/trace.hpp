@@ -39,7 +39,8 @@ template <int n, int k>
 [[nodiscard]] PrimalForm<n - 1, k> trace(const BoundaryComplex<n>& B, const PrimalForm<n, k>& w) {
   detail::require_boundary_of(w.complex(), B, k);
   PrimalForm<n - 1, k> result(B.complex);
-  for (Index i = 0; i < result.size(); ++i) result[i] = B.complex.sign(k, i) * w[B.inclusion[k][static_cast<std::size_t>(i)]];
+  for (Index i = 0; i < result.size(); ++i)
+    result[i] = B.complex.sign(k, i) * w[B.inclusion[k][static_cast<std::size_t>(i)]];
   return result;
 }
 
@@ -63,7 +64,8 @@ template <int n, int j>
   detail::require_boundary_of(K, B, k);
   detail::require_on_boundary<n>(B, w);
   DualForm<n, j + 1> result(K);
-  for (Index i = 0; i < w.size(); ++i) result[B.inclusion[k][static_cast<std::size_t>(i)]] = B.complex.sign(k, i) * w[i];
+  for (Index i = 0; i < w.size(); ++i)
+    result[B.inclusion[k][static_cast<std::size_t>(i)]] = B.complex.sign(k, i) * w[i];
   return result;
 }
 template <int n, int j>
@@ -79,7 +81,8 @@ void boundary_term(SimplicialComplex<n>&&, const BoundaryComplex<n>&, const Dual
 /// Source   as above
 template <int n, int j>
   requires(j < n)
-[[nodiscard]] DualForm<n, j + 1> d(const DualForm<n, j>& w, const BoundaryComplex<n>& B, const DualForm<n - 1, j>& on_boundary) {
+[[nodiscard]] DualForm<n, j + 1> d(const DualForm<n, j>& w, const BoundaryComplex<n>& B,
+                                   const DualForm<n - 1, j>& on_boundary) {
   constexpr int k = n - 1 - j;
   const auto term = boundary_term(w.complex(), B, on_boundary);
   return k % 2 == 0 ? d(w) + term : d(w) - term;

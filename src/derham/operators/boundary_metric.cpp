@@ -54,9 +54,12 @@ Geometry<n - 1> boundary_geometry(const SimplicialComplex<n>& K, const Geometry<
   for (int k = 0; k < n; ++k) detail::require_boundary_of(K, B, k);
   const int m = geometry.ambient_dimension();
   switch (geometry.source()) {
-    case MetricSource::points: return Geometry<n - 1>::from_points(B.complex, boundary_points(geometry, B), m);
-    case MetricSource::corners: return Geometry<n - 1>::from_corners(B.complex, boundary_corners(K, geometry, B), m);
-    default: return Geometry<n - 1>::from_squared_lengths(B.complex, boundary_squares(K, geometry, B));
+    case MetricSource::points:
+      return Geometry<n - 1>::from_points(B.complex, boundary_points(geometry, B), m);
+    case MetricSource::corners:
+      return Geometry<n - 1>::from_corners(B.complex, boundary_corners(K, geometry, B), m);
+    default:
+      return Geometry<n - 1>::from_squared_lengths(B.complex, boundary_squares(K, geometry, B));
   }
 }
 
@@ -75,17 +78,17 @@ Material boundary_material(const BoundaryComplex<n>& B, std::initializer_list<Fa
       if (place == facets.end() || *place != f) throw InputError(text("facet ", f, " is not on the boundary"), f);
       Index& taken = result.row_of[static_cast<std::size_t>(place - facets.begin())];
       if (taken != 0 && taken != row)
-        throw InputError(text("facet ", f, " is in part ", taken - 1, " and in part ", row - 1,
-                              "; one number is allowed on it"),
-                         f);
+        throw InputError(
+            text("facet ", f, " is in part ", taken - 1, " and in part ", row - 1, "; one number is allowed on it"), f);
       taken = row;
     }
   }
   return result;
 }
 
-#define DERHAM_INSTANTIATE(n)                                                                                          \
-  template Geometry<n - 1> boundary_geometry(const SimplicialComplex<n>&, const Geometry<n>&, const BoundaryComplex<n>&); \
+#define DERHAM_INSTANTIATE(n)                                                                 \
+  template Geometry<n - 1> boundary_geometry(const SimplicialComplex<n>&, const Geometry<n>&, \
+                                             const BoundaryComplex<n>&);                      \
   template Material boundary_material(const BoundaryComplex<n>&, std::initializer_list<FacetValue>);
 DERHAM_INSTANTIATE(1)
 DERHAM_INSTANTIATE(2)

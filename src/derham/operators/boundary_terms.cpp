@@ -29,10 +29,9 @@ SparseMatrix robin_matrix(const SimplicialComplex<n>& K, const BoundaryComplex<n
   return T.transpose() * S * T;
 }
 
-#define DERHAM_INSTANTIATE(n)                                                                            \
-  template SparseMatrix trace_matrix(const SimplicialComplex<n>&, const BoundaryComplex<n>&, int);       \
-  template SparseMatrix robin_matrix(const SimplicialComplex<n>&, const BoundaryComplex<n>&, int,        \
-                                     const SparseMatrix&);
+#define DERHAM_INSTANTIATE(n)                                                                      \
+  template SparseMatrix trace_matrix(const SimplicialComplex<n>&, const BoundaryComplex<n>&, int); \
+  template SparseMatrix robin_matrix(const SimplicialComplex<n>&, const BoundaryComplex<n>&, int, const SparseMatrix&);
 DERHAM_INSTANTIATE(1)
 DERHAM_INSTANTIATE(2)
 DERHAM_INSTANTIATE(3)

@@ -12,7 +12,7 @@ namespace derham {
 
 /// The primal forms that are prescribed on a part Γ of K: 0 there, those of the relative complex (K, Γ), or with data. What
 /// is on Γ is essential (Dirichlet for functions, no tangential part for 1-forms, no flux for (n-1)-forms); on the rest of
-/// the boundary the natural conditions of the dual derivative hold. K must outlive it.
+/// the boundary the natural conditions of the dual derivative hold, with the data of `boundary_load`. K must outlive it.
 /// Law      d takes forms that vanish on Γ to such forms
 /// Source   Hatcher, "Algebraic topology", §2.1 (relative chains); Arnold, Falk, Winther 2006, §2 (the forms)
 template <int n>
@@ -21,7 +21,7 @@ class FormSpace {
   /// All forms: nothing is prescribed (absolute).
   explicit FormSpace(const SimplicialComplex<n>& K) : FormSpace(K, {}) {}
 
-  /// Γ is the closure of these facets.
+  /// Γ is the closure of these facets: those of `tagged_facets`, or any, inside of K too.
   /// Cost     linear in the number of simplices
   /// Throws   InputError unless facets are in [0, |K_{n-1}|)
   FormSpace(const SimplicialComplex<n>& K, std::span<const Index> facets);

@@ -61,7 +61,7 @@ std::vector<Index> tagged_facets(const SimplicialComplex<n>& K, const MeshData& 
   return each_once(std::move(facets));
 }
 
-#define DERHAM_INSTANTIATE(n)                                                                             \
+#define DERHAM_INSTANTIATE(n)                                                                               \
   template std::vector<Index> tagged_facets(const SimplicialComplex<n>&, const MeshData&, const MeshPart&); \
   template std::vector<Index> tagged_facets(const SimplicialComplex<n>&, const MeshData&,                   \
                                             std::initializer_list<std::string_view>);

@@ -17,7 +17,8 @@ namespace derham {
 ///          boundary
 template <int n>
   requires(n >= 1)
-[[nodiscard]] std::vector<Index> tagged_facets(const SimplicialComplex<n>& K, const MeshData& mesh, const MeshPart& part);
+[[nodiscard]] std::vector<Index> tagged_facets(const SimplicialComplex<n>& K, const MeshData& mesh,
+                                               const MeshPart& part);
 
 /// Those of the parts of degree n-1 with these names, together.
 /// Throws   as above; InputError for a name that no part has, naming those there are, or that several have
