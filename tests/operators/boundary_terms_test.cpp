@@ -164,7 +164,8 @@ TYPED_TEST(BoundaryTerms, RobinIsTheMassOfTheTrace) {
     const SparseMatrix M = whitney_mass(box.B.complex, box.gB, k, h), R = robin_matrix(box.K, box.B, k, M);
     const auto a = random_form<n, k>(box.K, 1), b = random_form<n, k>(box.K, 2);
     const Eigen::Map<const Eigen::VectorXd> x(a.values().data(), a.size());
-    const Eigen::VectorXd Rx = R * x;
+    const Eigen::VectorXd Rx = R * x, tr = trace_matrix(box.K, box.B, k) * x;
+    for (Index i = 0; i < tr.size(); ++i) EXPECT_EQ(tr[i], trace(box.B, a)[i]) << "degree " << k;
     const auto load = boundary_load(box.K, box.B, M, trace(box.B, a));
     for (Index i = 0; i < a.size(); ++i) EXPECT_NEAR(Rx[i], load[i], 1e-13);
     EXPECT_LT((R - SparseMatrix(R.transpose())).norm(), 1e-15 * R.norm());

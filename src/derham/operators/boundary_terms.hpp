@@ -32,7 +32,7 @@ template <int n>
   requires(n >= 1)
 [[nodiscard]] SparseMatrix robin_matrix(const SimplicialComplex<n>& K, const BoundaryComplex<n>& B, int k,
                                         const HodgeStar<n - 1>& S) {
-  return robin_matrix<n>(K, B, k, SparseMatrix(detail::Star<n - 1>::diagonal_matrix(S.diagonal(k))));
+  return robin_matrix<n>(K, B, k, detail::diagonal_matrix(S.diagonal(k)));
 }
 
 /// trᵀ S g, what a density g on ∂K adds to the right-hand side: as natural data, tr ⋆du = ⋆g with g = i_ν du (the outward
