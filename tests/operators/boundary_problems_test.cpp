@@ -61,13 +61,13 @@ template <class Star, int n, int k>
 struct MixedProblem {
   const SidedBox<n>& box;
   std::size_t shift;
-  SparseMatrix A = D().transpose() * Star::star(box.K, box.g, k + 1) * D();
+  SparseMatrix A = derivative().transpose() * Star::star(box.K, box.g, k + 1) * derivative();
   Eigen::VectorXd b = Eigen::VectorXd::Zero(box.K.size(k));
   std::vector<Index> prescribed{};
 
-  [[nodiscard]] SparseMatrix D() const { return to_eigen(coboundary_matrix(box.K, k)); }
+  [[nodiscard]] SparseMatrix derivative() const { return to_eigen(coboundary_matrix(box.K, k)); }
   [[nodiscard]] SparseMatrix side_star(std::size_t s, double number) const {
-    return Star::star(box.B.complex, box.gB, k, boundary_material(box.B, {{box.sides[s].facets, number}}));
+    return Star::star(box.B.complex, box.metric, k, boundary_material(box.B, {{box.sides[s].facets, number}}));
   }
 
   /// `g(s)` is i_ν du on side s, `u` the solution.
@@ -148,7 +148,7 @@ double error_of_quadratic_solution(Index cells) {
   };
   const auto u = DeRhamMap<n>(box.K, box.g, 0).function(value);
   const auto g = [&](std::size_t s) {
-    return DeRhamMap<n - 1>(box.B.complex, box.gB, 0).function([&](std::span<const double> x) {
+    return DeRhamMap<n - 1>(box.B.complex, box.metric, 0).function([&](std::span<const double> x) {
       const auto& normal = box.sides[s].normal;
       double sum = x[0] * normal[n - 1] + x[n - 1] * normal[0];
       for (std::size_t c = 0; c < n; ++c) sum += 2 * x[c] * normal[c];
@@ -222,7 +222,7 @@ double reflected_energy(double h) {
   const auto restricted = [&](const SparseMatrix& A) { return Eigen::SparseMatrix<double>(E.transpose() * A * E); };
   const auto A = restricted(d.transpose() * whitney_mass(box.K, box.g, 2) * d),
              M = restricted(whitney_mass(box.K, box.g, 1)),
-             C = restricted(robin_matrix(box.K, box.B, 1, whitney_mass(box.B.complex, box.gB, 1, impedance)));
+             C = restricted(robin_matrix(box.K, box.B, 1, whitney_mass(box.B.complex, box.metric, 1, impedance)));
   const auto field = [&](auto&& y) -> Eigen::VectorXd {
     const auto w = DeRhamMap<2>(box.K, box.g, 5).circulation([&](std::span<const double> x) {
       return std::array<double, 2>{0, y((x[0] - 0.5) / 0.1)};
@@ -263,12 +263,12 @@ double error_of_constant_solution(const SidedBox<n>& box, std::size_t shift) {
     if (kind == 0) prescribed[0].insert(prescribed[0].end(), facets.begin(), facets.end());
     if (kind != 1) prescribed[1].insert(prescribed[1].end(), facets.begin(), facets.end());
     if (kind == 0) continue;
-    const auto across = DeRhamMap<n - 1>(box.B.complex, box.gB, 0)
+    const auto across = DeRhamMap<n - 1>(box.B.complex, box.metric, 0)
                             .template form<k - 1>([&](std::span<const double>, std::span<const double> rows) {
                               return form.contracted(normal.data(), rows);
                             });
-    load += boundary_load(box.K, box.B,
-                          whitney_mass(box.B.complex, box.gB, k - 1, boundary_material(box.B, {{facets, 1}})), across);
+    load += boundary_load(
+        box.K, box.B, whitney_mass(box.B.complex, box.metric, k - 1, boundary_material(box.B, {{facets, 1}})), across);
   }
   const FormSpace<n> sigma(box.K, prescribed[0]), space(box.K, prescribed[1]);
   const auto mixed = mixed_laplace_de_rham(box.K, box.g, k);

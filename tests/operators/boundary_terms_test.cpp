@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace derham {
 namespace {
@@ -81,10 +83,11 @@ TYPED_TEST(BoundaryTerms, CloseTheCellsForConstantForms) {
   for_each_degree<n - 1>([&]<int k>() {
     const KoszulForm<n, k> u;
     const auto du = d(u.on(box.K, box.g));
-    const auto diagonal = side_loads<n, k>(
-        box, u, [&](const Material& part) { return HodgeStar<n - 1>(box.B.complex, box.gB, Circumcentric{}, part); });
-    const auto whitney =
-        side_loads<n, k>(box, u, [&](const Material& part) { return whitney_mass(box.B.complex, box.gB, k, part); });
+    const auto diagonal = side_loads<n, k>(box, u, [&](const Material& part) {
+      return HodgeStar<n - 1>(box.B.complex, box.metric, Circumcentric{}, part);
+    });
+    const auto whitney = side_loads<n, k>(
+        box, u, [&](const Material& part) { return whitney_mass(box.B.complex, box.metric, k, part); });
     const HodgeStar<n> star(box.K, box.g);
     const SparseMatrix M = whitney_mass(box.K, box.g, k + 1), D = to_eigen(coboundary_matrix(box.K, k));
     const Eigen::Map<const Eigen::VectorXd> x(du.values().data(), du.size()),
@@ -127,7 +130,7 @@ TYPED_TEST(BoundaryTerms, GiveTheGradientOfDualFunctionsUpToTheBoundary) {
     for (Index f = 0; f < on_boundary.size(); ++f)
       if (ends[f] < 0.5) on_boundary[f] *= -1;
   }
-  const auto flux = DeRhamMap<n>(space.K, space.g, 0).flux([&](std::span<const double>) { return X; });
+  const auto flux = DeRhamMap<n>(space.K, space.g, 0).flux([&](std::span<const double>) { return std::vector(X); });
   const auto expected = (n % 2 == 1 ? 1.0 : -1.0) * HodgeStar<n>(space.K, space.g)(flux);
   EXPECT_LT(support::distance(d(p, B, on_boundary), expected), 1e-11);
 }
@@ -143,10 +146,10 @@ TYPED_TEST(BoundaryTerms, KeepTheMetricOfTheBoundary) {
   ASSERT_EQ(corners.g.source(), MetricSource::corners);
   const auto expect = [](const Space<n>& space) {
     const auto B = boundary_complex(space.K);
-    const auto gB = boundary_geometry(space.K, space.g, B);
-    EXPECT_EQ(gB.source(), space.g.source());
+    const auto metric = boundary_geometry(space.K, space.g, B);
+    EXPECT_EQ(metric.source(), space.g.source());
     const auto whole = primal_volumes(space.K, space.g);
-    const auto part = primal_volumes(B.complex, gB);
+    const auto part = primal_volumes(B.complex, metric);
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t i = 0; i < part[k].size(); ++i)
         EXPECT_NEAR(part[k][i], whole[k][static_cast<std::size_t>(B.inclusion[k][i])], 1e-14);
@@ -159,9 +162,9 @@ TYPED_TEST(BoundaryTerms, RobinIsTheMassOfTheTrace) {
   constexpr int n = TypeParam::value;
   const SidedBox<n> box(plane_sided<n>(2));
   const auto h = boundary_material(box.B, {{box.sides[0].facets, 2}, {box.sides[1].facets, 5}});
-  const HodgeStar<n - 1> star(box.B.complex, box.gB, Circumcentric{}, h);
+  const HodgeStar<n - 1> star(box.B.complex, box.metric, Circumcentric{}, h);
   for_each_degree<n - 1>([&]<int k>() {
-    const SparseMatrix M = whitney_mass(box.B.complex, box.gB, k, h), R = robin_matrix(box.K, box.B, k, M);
+    const SparseMatrix M = whitney_mass(box.B.complex, box.metric, k, h), R = robin_matrix(box.K, box.B, k, M);
     const auto a = random_form<n, k>(box.K, 1), b = random_form<n, k>(box.K, 2);
     const Eigen::Map<const Eigen::VectorXd> x(a.values().data(), a.size());
     const Eigen::VectorXd Rx = R * x, tr = trace_matrix(box.K, box.B, k) * x;

@@ -57,12 +57,12 @@ struct SidedBox : Space<n> {
     std::array<double, n> normal;
   };
   BoundaryComplex<n> B;
-  Geometry<n - 1> gB;
+  Geometry<n - 1> metric;
   std::vector<Side> sides;
 
  private:
   SidedBox(int, const MeshData& mesh)
-      : Space<n>(mesh), B(boundary_complex(this->K)), gB(boundary_geometry(this->K, this->g, B)) {
+      : Space<n>(mesh), B(boundary_complex(this->K)), metric(boundary_geometry(this->K, this->g, B)) {
     for (std::size_t s = 0; s < 2 * static_cast<std::size_t>(n); ++s) {
       sides.push_back({tagged_facets(this->K, mesh, mesh.parts[s]), {}});
       sides.back().normal[s / 2] = s % 2 == 0 ? -1 : 1;
@@ -115,7 +115,7 @@ struct KoszulForm {
   /// i_ν du on ∂K for a constant ν.
   [[nodiscard]] PrimalForm<n - 1, k> normal_derivative(const SidedBox<n>& box,
                                                        const std::array<double, n>& normal) const {
-    return DeRhamMap<n - 1>(box.B.complex, box.gB, 0)
+    return DeRhamMap<n - 1>(box.B.complex, box.metric, 0)
         .template form<k>([&](std::span<const double>, std::span<const double> rows) {
           return (k + 1) * b.contracted(normal.data(), rows);
         });
