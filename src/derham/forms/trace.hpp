@@ -55,7 +55,7 @@ template <int n, int k>
 /// Matrix   that of the trace of (n-1-j)-forms, transposed
 /// Law      Σ (tr α)_s β_s over ∂K is Σ α_s boundary_term(β)_s over K
 /// Throws   InputError if the form is not on B, or B not the boundary of K
-/// Source   Hirani 2003, §3.6 (dual cells at the boundary); the sign in docs/operators/form-spaces.md
+/// Source   Desbrun, Kanso, Tong 2008, §6 (dual cells); the boundary and its sign are derived in docs/operators/form-spaces.md
 template <int n, int j>
   requires(j < n)
 [[nodiscard]] DualForm<n, j + 1> boundary_term(const SimplicialComplex<n>& K, const BoundaryComplex<n>& B,
