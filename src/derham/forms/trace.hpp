@@ -44,28 +44,27 @@ template <int n, int k>
   return result;
 }
 
-/// The transpose of the trace. For a dual form β on ∂K, the trace of one on K, it is what the part of the dual cells in ∂K
-/// gives to a right-hand side: the boundary term of integration by parts,
+/// trᵀ b, the transpose of the trace: the boundary term of integration by parts, which data b on ∂K give to a right-hand side,
 ///
-///     ⟨dα, β⟩ = ⟨α, δβ⟩ + ∫_∂K tr(α ∧ ⋆β).
+///     ⟨da, w⟩ = ⟨a, δw⟩ + ∫_∂K tr(a ∧ ⋆w),      the last = Σ (tr a)_s b_s.
 ///
-/// β_s is the integral of tr ⋆β over the dual cell of s within ∂K: for functions α the flux of β outwards through it, for
+/// b_s is the integral of tr ⋆w over the dual cell of s within ∂K: for functions a the flux of w outwards through it, for
 /// 1-forms in space a current along ∂K, for (n-1)-forms the value at the facet.
 /// Maps     dual j-form on ∂K -> dual (j+1)-form on K, counted by the same simplices: (n-1-j)-simplices of ∂K
 /// Matrix   that of the trace of (n-1-j)-forms, transposed
-/// Law      Σ (tr α)_s β_s over ∂K is Σ α_s boundary_term(β)_s over K
+/// Law      Σ (tr a)_s b_s over ∂K is Σ a_s boundary_term(b)_s over K
 /// Throws   InputError if the form is not on B, or B not the boundary of K
 /// Source   Desbrun, Kanso, Tong 2008, §6 (dual cells); the boundary and its sign are derived in docs/operators/form-spaces.md
 template <int n, int j>
   requires(j < n)
 [[nodiscard]] DualForm<n, j + 1> boundary_term(const SimplicialComplex<n>& K, const BoundaryComplex<n>& B,
-                                               const DualForm<n - 1, j>& w) {
+                                               const DualForm<n - 1, j>& b) {
   constexpr int k = n - 1 - j;
   detail::require_boundary_of(K, B, k);
-  detail::require_on_boundary<n>(B, w);
+  detail::require_on_boundary<n>(B, b);
   DualForm<n, j + 1> result(K);
-  for (Index i = 0; i < w.size(); ++i)
-    result[B.inclusion[k][static_cast<std::size_t>(i)]] = B.complex.sign(k, i) * w[i];
+  for (Index i = 0; i < b.size(); ++i)
+    result[B.inclusion[k][static_cast<std::size_t>(i)]] = B.complex.sign(k, i) * b[i];
   return result;
 }
 template <int n, int j>
@@ -81,10 +80,9 @@ void boundary_term(SimplicialComplex<n>&&, const BoundaryComplex<n>&, const Dual
 /// Source   as above
 template <int n, int j>
   requires(j < n)
-[[nodiscard]] DualForm<n, j + 1> d(const DualForm<n, j>& w, const BoundaryComplex<n>& B,
-                                   const DualForm<n - 1, j>& on_boundary) {
+[[nodiscard]] DualForm<n, j + 1> d(const DualForm<n, j>& w, const BoundaryComplex<n>& B, const DualForm<n - 1, j>& b) {
   constexpr int k = n - 1 - j;
-  const auto term = boundary_term(w.complex(), B, on_boundary);
+  const auto term = boundary_term(w.complex(), B, b);
   return k % 2 == 0 ? d(w) + term : d(w) - term;
 }
 
