@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Holds the arrows between the folders of src/derham and reports every #include that goes against them.
 
+The Python package (python/bindings) sees all folders and has one source for each.
+
 usage: tools/check_layers.py [ROOT]     check ROOT/src/derham (default: this repository); exit 1 on a violation
        tools/check_layers.py --self-test
 """
@@ -25,6 +27,7 @@ MAY_INCLUDE = {
 
 NEVER_SEES_EIGEN = {"core", "complex"}
 APPLICATION_ONLY = ("fmt", "CLI", "nlohmann")
+PYTHON_ONLY = ("nanobind", "Python.h")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -46,6 +49,8 @@ def violation(room, quote, target):
         return f"Eigen begins at boundary; {room} does without"
     if first in APPLICATION_ONLY:
         return f"{first} belongs to apps/, not to the library"
+    if first in PYTHON_ONLY:
+        return f"{first} belongs to python/, not to the library"
     return None
 
 
@@ -66,6 +71,10 @@ def violations(root):
             match = INCLUDE.match(line)
             if match and (message := violation(room, *match.groups())):
                 found.append(f"{path.relative_to(root)}:{number}: {message}")
+    bindings = root / "python" / "bindings"
+    if bindings.is_dir():
+        found += [f"python/bindings:1: no {room}.cpp for the folder {room}" for room in MAY_INCLUDE
+                  if not (bindings / f"{room}.cpp").is_file()]
     return found
 
 
@@ -80,6 +89,7 @@ def self_test():
         "meshes/a.cpp": "#include <CLI/CLI.hpp>",
         "core/a.hpp": '#include "derham/nowhere/a.hpp"',
         "dual/a.cpp": '#include "b.hpp"',
+        "boundary/a.hpp": "#include <nanobind/nanobind.h>",
         "attic/a.hpp": "",
     }
     with tempfile.TemporaryDirectory() as folder:
@@ -94,8 +104,11 @@ def self_test():
             path = root / "src/derham" / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(f"#pragma once\n{line}\n")
+        (root / "python/bindings").mkdir(parents=True)
+        for room in set(MAY_INCLUDE) - {"io"}:
+            (root / f"python/bindings/{room}.cpp").touch()
         found = violations(root)
-    places = ["src/derham/attic:1:"] + [f"src/derham/{name}:2:" for name in bad if not name.startswith("attic")]
+    places = ["src/derham/attic:1:", "python/bindings:1: no io.cpp"] + [f"src/derham/{name}:2:" for name in bad if not name.startswith("attic")]
     failures = [f"not reported: {place}" for place in places if not any(f.startswith(place) for f in found)]
     if len(found) != len(places):
         failures.append(f"{len(found)} violations reported, {len(places)} expected: {found}")

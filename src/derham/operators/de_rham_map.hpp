@@ -124,6 +124,45 @@ class DeRhamMap {
     });
   }
 
+  /// The points where fields are evaluated for k-forms, for who evaluates many at a time.
+  /// Shape    (|K_k|, nodes of the rule, m) row-major
+  template <int k>
+  [[nodiscard]] std::vector<double> nodes() const {
+    const auto rule = simplex_rule<k>(order_);
+    const auto m = static_cast<std::size_t>(geometry_->ambient_dimension());
+    const std::size_t size = rule.points.size() * m;
+    std::vector<double> result(static_cast<std::size_t>(complex_->size(k)) * size);
+    parallel_blocks(complex_->size(k), 256, [&](Offset begin, Offset end) {
+      for (auto i = static_cast<Index>(begin); i < end; ++i) {
+        const auto corners = geometry_->template corners<k>(*complex_, i);
+        double* const first = result.data() + static_cast<std::size_t>(i) * size;
+        for (std::size_t q = 0; q < rule.points.size(); ++q) place<k>(rule.points[q], corners, {first + q * m, m});
+      }
+    });
+    return result;
+  }
+
+  /// As `components`, of a field given by its values at the nodes: the same bits.
+  /// Shape    values (|K_k|, nodes of the rule, C(m, k)) row-major
+  /// Throws   InputError on another number of values
+  template <int k>
+  [[nodiscard]] PrimalForm<n, k> components_at_nodes(std::span<const double> values) const {
+    const auto columns = subsets<k>(geometry_->ambient_dimension());
+    const std::size_t nodes = simplex_rule<k>(order_).points.size(), width = columns.size();
+    const std::size_t expected = static_cast<std::size_t>(complex_->size(k)) * nodes * width;
+    if (values.size() != expected)
+      throw InputError(text(values.size(), " values at nodes; expected ", expected, ", ", complex_->size(k), " times ",
+                            nodes, " times ", width));
+    return integrals<k>([&](Index i, Edges<k> edges) {
+      const double* next = values.data() + static_cast<std::size_t>(i) * nodes * width;
+      return [&columns, edges, next](Point) mutable {
+        double sum = 0;
+        for (const auto& column : columns) sum += *next++ * minor_of<k>(edges.rows, column);
+        return sum;
+      };
+    });
+  }
+
  private:
   using Point = std::span<const double>;
 
@@ -154,6 +193,16 @@ class DeRhamMap {
     if (given != expected) throw InputError(text("a field of ", given, " components; expected ", expected));
   }
 
+  /// The point x with these barycentric coordinates.
+  template <int k>
+  static void place(const typename SimplexRule<k>::Point& barycentric,
+                    const std::array<const double*, static_cast<std::size_t>(k) + 1>& corners, std::span<double> x) {
+    for (std::size_t c = 0; c < x.size(); ++c) {
+      x[c] = 0;
+      for (std::size_t v = 0; v <= k; ++v) x[c] += barycentric[v] * corners[v][c];
+    }
+  }
+
   /// `on_simplex(i, edges)` gives the function of a point whose mean over simplex i, divided by k!, is the integral.
   template <int k, class OnSimplex>
   [[nodiscard]] PrimalForm<n, k> integrals(OnSimplex&& on_simplex) const {
@@ -168,13 +217,10 @@ class DeRhamMap {
         const auto corners = geometry_->template corners<k>(*complex_, i);
         for (std::size_t e = 0; e < k; ++e)
           for (std::size_t c = 0; c < m; ++c) edges[e * m + c] = corners[e + 1][c] - corners[0][c];
-        const auto value = on_simplex(i, rows);
+        auto value = on_simplex(i, rows);  // called once for every node, in their order
         double mean = 0;
         for (std::size_t q = 0; q < rule.points.size(); ++q) {
-          for (std::size_t c = 0; c < m; ++c) {
-            x[c] = 0;
-            for (std::size_t v = 0; v <= k; ++v) x[c] += rule.points[q][v] * corners[v][c];
-          }
+          place<k>(rule.points[q], corners, x);
           mean += rule.weights[q] * value(Point(x));
         }
         result[i] = complex_->sign(k, i) * mean / static_cast<double>(factorial(k));

@@ -1,0 +1,99 @@
+#include "any_complex.hpp"
+
+#include "derham/geometry/volumes.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace derham::python {
+namespace {
+
+bool has_metric(const MeshData& mesh) {
+  return mesh.has_points() || mesh.has_corners() || !mesh.edge_lengths_squared.empty();
+}
+
+template <int n>
+Geometry<n> geometry_of(const SimplicialComplex<n>& K, const MeshData& mesh) {
+  if (mesh.has_points() || mesh.has_corners()) return Geometry<n>::from_mesh(K, mesh);
+  return Geometry<n>::from_squared_lengths(K, mesh.edge_lengths_squared);
+}
+
+template <int n>
+Body<n> body_of(const MeshData& mesh) {
+  const bool empty = mesh.simplices.empty() && mesh.vertex_count <= 0;
+  const auto K = empty ? std::make_shared<SimplicialComplex<n>>()
+                       : std::make_shared<SimplicialComplex<n>>(mesh.simplices, mesh.vertex_count);
+  Body<n> body{K, {}};
+  if constexpr (n <= max_metric_dimension) {
+    if (!has_metric(mesh) || !K->is_pure()) return body;
+    body.geometry = std::make_shared<const Geometry<n>>(geometry_of(*K, mesh));
+    orient_by_volume(*K, *body.geometry);
+  }
+  return body;
+}
+
+/// Rows of width n+1, the last two entries of `items` each exchanged where the top simplex is negative.
+template <int n, class T>
+void exchange_last(const SimplicialComplex<n>& K, std::vector<T>& values, std::size_t items) {
+  if constexpr (n >= 1) {
+    for (Index t = 0; t < K.size(n); ++t) {
+      if (K.sign(n, t) > 0) continue;
+      const auto end = values.begin() + static_cast<std::ptrdiff_t>((static_cast<std::size_t>(t) + 1) * (n + 1) * items);
+      const auto size = static_cast<std::ptrdiff_t>(items);
+      std::swap_ranges(end - 2 * size, end - size, end - size);
+    }
+  }
+}
+
+template <int n>
+SimplexList oriented_rows(const SimplicialComplex<n>& K) {
+  const auto tuples = K.simplices(n);
+  std::vector<Index> vertices(tuples.begin(), tuples.end());
+  exchange_last(K, vertices, 1);
+  return SimplexList(n, std::move(vertices));
+}
+
+template <int n>
+void restore_positions(const Body<n>& body, MeshData& mesh) {
+  if constexpr (n <= max_metric_dimension) {
+    if (!body.geometry || body.geometry->source() == MetricSource::lengths) return;
+    const auto coordinates = body.geometry->coordinates();
+    auto& values = body.geometry->source() == MetricSource::points ? mesh.points : mesh.corners;
+    values.assign(coordinates.begin(), coordinates.end());
+    if (&values == &mesh.corners)
+      exchange_last(*body.complex, values, static_cast<std::size_t>(body.geometry->ambient_dimension()));
+  }
+}
+
+}  // namespace
+
+AnyComplex::AnyComplex(MeshData mesh)
+    : body_(with_constant<0, max_dimension>(std::max(0, mesh.simplices.dimension()), "the dimension of the simplices",
+                                            [&](auto n) { return Bodies(body_of<n()>(mesh)); })),
+      rest_(std::move(mesh)) {
+  visit([this](const auto& body) {
+    if (body.complex->is_pure()) rest_.simplices = SimplexList();
+    if (!body.complex->is_pure() || body.complex->dimension > max_metric_dimension) return;
+    rest_.points = {};
+    rest_.corners = {};
+  });
+}
+
+MeshData AnyComplex::mesh() const {
+  MeshData mesh = rest_;
+  visit([&mesh](const auto& body) {
+    mesh.vertex_count = body.complex->size(0);
+    if (body.complex->is_pure() && mesh.vertex_count > 0) mesh.simplices = oriented_rows(*body.complex);
+    restore_positions(body, mesh);
+  });
+  return mesh;
+}
+
+void AnyComplex::refuse_metric(bool pure) {
+  if (!pure)
+    throw TopologyError("a metric needs a pure complex: some maximal simplices are of lower dimension than others");
+  throw GeometryError("the complex has no metric; give points, corners or edge_lengths_squared when it is made");
+}
+
+}  // namespace derham::python

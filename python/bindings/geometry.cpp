@@ -1,0 +1,92 @@
+#include "arrays.hpp"
+#include "rooms.hpp"
+
+#include "derham/geometry/quality.hpp"
+#include "derham/geometry/volumes.hpp"
+
+#include <nanobind/stl/tuple.h>
+
+#include <tuple>
+
+namespace derham::python {
+namespace {
+
+const char* source_of(const AnyComplex& any) {
+  return any.visit([]<int n>(const Body<n>& body) -> const char* {
+    if constexpr (n <= max_metric_dimension) {
+      if (body.geometry) {
+        constexpr const char* names[] = {"points", "corners", "edge_lengths_squared"};
+        return names[static_cast<int>(body.geometry->source())];
+      }
+    }
+    return nullptr;
+  });
+}
+
+int ambient_dimension(const AnyComplex& any) {
+  return any.visit([&any]<int n>(const Body<n>& body) {
+    if constexpr (n <= max_metric_dimension)
+      if (body.geometry) return body.geometry->ambient_dimension();
+    return any.rest().ambient_dimension;
+  });
+}
+
+/// (|V|, m), or None where there are none.
+nb::object points_of(const AnyComplex& any) {
+  const auto m = static_cast<std::size_t>(ambient_dimension(any));
+  return any.visit([&]<int n>(const Body<n>& body) -> nb::object {
+    const auto vertices = static_cast<std::size_t>(body.complex->size(0));
+    if constexpr (n <= max_metric_dimension) {
+      if (body.geometry) {
+        if (body.geometry->source() != MetricSource::points) return nb::none();
+        return nb::cast(view(body.geometry->points(), {vertices, m}, body.geometry));
+      }
+    }
+    if (!any.rest().has_points()) return nb::none();
+    return nb::cast(owned(std::vector<double>(any.rest().points), {vertices, m}));
+  });
+}
+
+/// (|K_n|, n+1, coordinates) in the order of the representatives.
+auto corners_of(const AnyComplex& any) {
+  return any.with_metric([]<int n>(const Body<n>& body) {
+    const auto d = static_cast<std::size_t>(body.geometry->coordinate_dimension());
+    std::vector<double> values;
+    for (Index t = 0; t < body.complex->size(n); ++t)
+      for (const double* corner : body.geometry->corners(*body.complex, t)) values.insert(values.end(), corner, corner + d);
+    return owned(std::move(values), {static_cast<std::size_t>(body.complex->size(n)), n + 1, d});
+  });
+}
+
+auto volumes(const AnyComplex& any, int k) {
+  return any.with_metric([k](const auto& body) {
+    auto all = without_gil([&] { return primal_volumes(*body.complex, *body.geometry); });
+    return owned(std::move(all[static_cast<std::size_t>(k)]));
+  });
+}
+
+auto lengths_squared(const AnyComplex& any) {
+  return any.with_metric<1>([](const auto& body) { return owned(squared_lengths(*body.complex, *body.geometry)); });
+}
+
+auto quality_of(const AnyComplex& any) {
+  return any.with_metric([](const auto& body) {
+    QualityReport report = without_gil([&] { return quality(*body.complex, *body.geometry); });
+    return std::tuple(owned(std::move(report.degenerate)), owned(std::move(report.inverted)), report.smallest_volume,
+                      report.largest_volume, report.total_volume);
+  });
+}
+
+}  // namespace
+
+void bind_geometry(ComplexClass& complex) {
+  complex.def("metric_source", &source_of);
+  complex.def_prop_ro("ambient_dimension", &ambient_dimension);
+  complex.def("points", &points_of);
+  complex.def("corners", &corners_of);
+  complex.def("volumes", &volumes, nb::arg("k"));
+  complex.def("edge_lengths_squared", &lengths_squared);
+  complex.def("quality", &quality_of);
+}
+
+}  // namespace derham::python

@@ -1,0 +1,102 @@
+#include "arrays.hpp"
+#include "rooms.hpp"
+
+#include "derham/io/mesh_format.hpp"
+#include "derham/io/read_mesh.hpp"
+#include "derham/io/unused_vertices.hpp"
+#include "derham/io/write_mesh.hpp"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <optional>
+#include <string>
+#include <tuple>
+
+namespace derham::python {
+namespace {
+
+std::optional<MeshFormat> format_of(const std::optional<std::string>& name) {
+  if (!name) return std::nullopt;
+  if (const auto format = format_by_name(*name)) return format;
+  throw InputError("there is no format '" + *name + "'; expected " + readable_formats());
+}
+
+AnyComplex read(const std::string& path, const std::optional<std::string>& format, bool triangulate, bool corner_nodes,
+                bool planar, bool drop_unused) {
+  return without_gil([&] {
+    MeshData mesh = read_mesh(path, format_of(format),
+                              {.triangulate = triangulate, .corner_nodes = corner_nodes, .planar = planar});
+    if (drop_unused) drop_unused_vertices(mesh);
+    return AnyComplex(std::move(mesh));
+  });
+}
+
+void write(const AnyComplex& any, const std::string& path, const std::optional<std::string>& format,
+           const std::optional<bool>& binary, bool gmsh_41) {
+  without_gil([&] {
+    WriteOptions options;
+    options.gmsh_41 = gmsh_41;
+    if (binary) options.encoding = *binary ? WriteOptions::Encoding::binary : WriteOptions::Encoding::ascii;
+    const auto chosen = format ? format_of(format) : format_by_extension(path);
+    if (!chosen) throw InputError("the name '" + path + "' tells no format; give one of " + writable_formats());
+    write_mesh(path, any.mesh(), *chosen, options);
+  });
+}
+
+/// (name, number, degree, members) of every part.
+auto parts(const AnyComplex& any) {
+  std::vector<std::tuple<std::string, std::int64_t, int, Array<Index>>> result;
+  for (const MeshPart& part : any.rest().parts)
+    result.emplace_back(part.name, part.number, part.degree, owned(std::vector<Index>(part.members)));
+  return result;
+}
+
+/// (name, whether on vertices, values (items, components)) of every field.
+auto fields(const AnyComplex& any) {
+  std::vector<std::tuple<std::string, bool, Array<double>>> result;
+  for (const MeshField& field : any.rest().fields) {
+    const auto components = static_cast<std::size_t>(field.components);
+    result.emplace_back(field.name, field.on == MeshField::On::vertices,
+                        owned(std::vector<double>(field.values), {field.values.size() / components, components}));
+  }
+  return result;
+}
+
+/// (name, degree, whether dual, values) of every form.
+auto forms(const AnyComplex& any) {
+  std::vector<std::tuple<std::string, int, bool, Array<double>>> result;
+  for (const MeshForm& form : any.rest().forms)
+    result.emplace_back(form.name, form.degree, form.is_dual, owned(std::vector<double>(form.values)));
+  return result;
+}
+
+/// The positively oriented rows and their corners, if it has any.
+auto rows(const AnyComplex& any) {
+  MeshData mesh = any.mesh();
+  const auto count = static_cast<std::size_t>(mesh.simplices.size());
+  const auto width = static_cast<std::size_t>(mesh.simplices.dimension() + 1);
+  const auto m = static_cast<std::size_t>(mesh.ambient_dimension);
+  const auto vertices = mesh.simplices.vertices();
+  nb::object corners = nb::none();
+  if (mesh.has_corners()) corners = nb::cast(owned(std::move(mesh.corners), {count, width, m}));
+  return std::tuple(owned(std::vector<Index>(vertices.begin(), vertices.end())), corners);
+}
+
+}  // namespace
+
+void bind_io(nb::module_& module, ComplexClass& complex) {
+  using nb::arg;
+  module.def("read", &read, arg("path"), arg("format").none(), arg("triangulate"), arg("corner_nodes"), arg("planar"),
+             arg("drop_unused"));
+  complex.def("write", &write, arg("path"), arg("format").none(), arg("binary").none(), arg("gmsh_41"));
+  complex.def("parts", &parts);
+  complex.def("fields", &fields);
+  complex.def("forms", &forms);
+  complex.def("notes", [](const AnyComplex& any) { return any.rest().notes; });
+  complex.def("oriented_rows", &rows);
+}
+
+}  // namespace derham::python

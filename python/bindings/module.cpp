@@ -1,0 +1,23 @@
+#include "rooms.hpp"
+
+// The compiled half of the Python package: it takes and gives plain arrays and knows no scipy. The Python half checks
+// shapes, keeps matrices and has the documentation.
+NB_MODULE(_derham, module) {
+  using namespace derham::python;
+  module.doc() = "The compiled half of derham; use the package `derham` instead.";
+  bind_core(module);
+  ComplexClass complex(module, "Complex");
+  bind_complex(complex);
+  bind_boundary(complex);
+  bind_forms(complex);
+  bind_geometry(complex);
+  bind_dual(complex);
+  StarClass star(module, "Star");
+  bind_hodge(star);
+  bind_operators(complex, star);
+  bind_operator_fields(module, complex);
+  bind_operator_matrices(star);
+  bind_operator_spaces(module, complex);
+  bind_meshes(module);
+  bind_io(module, complex);
+}

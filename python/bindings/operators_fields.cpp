@@ -1,0 +1,211 @@
+#include "arrays.hpp"
+#include "rooms.hpp"
+
+#include "derham/operators/de_rham_map.hpp"
+#include "derham/operators/interior_product.hpp"
+#include "derham/operators/point_locator.hpp"
+#include "derham/operators/sharp_and_flat.hpp"
+#include "derham/operators/whitney_map.hpp"
+
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <string>
+#include <tuple>
+
+// Between smooth and discrete forms: integration, interpolation, sharps and flats, contraction.
+namespace derham::python {
+namespace {
+
+/// The values of a form, of its own memory.
+template <class Form>
+auto values_of(const Form& form) {
+  return std::vector<double>(form.values().begin(), form.values().end());
+}
+
+/// (|K_k|, nodes, m)
+auto nodes(const AnyComplex& any, int k, int order) {
+  return any.with_metric([&]<int n>(const Body<n>& body) {
+    auto points = without_gil([&] {
+      const DeRhamMap<n> R(*body.complex, *body.geometry, order);
+      return with_constant<0, n>(k, "the degree k", [&](auto degree) { return R.template nodes<degree()>(); });
+    });
+    const auto simplices = static_cast<std::size_t>(body.complex->size(k));
+    const auto m = static_cast<std::size_t>(body.geometry->ambient_dimension());
+    const std::size_t count = simplices > 0 ? points.size() / simplices / m : 0;
+    return owned(std::move(points), {simplices, count, m});
+  });
+}
+
+auto integrate(const AnyComplex& any, int k, int order, const Values& values) {
+  return any.with_metric([&]<int n>(const Body<n>& body) {
+    return owned(without_gil([&] {
+      const DeRhamMap<n> R(*body.complex, *body.geometry, order);
+      return with_constant<0, n>(k, "the degree k", [&](auto degree) {
+        return values_of(R.template components_at_nodes<degree()>(span_of(values)));
+      });
+    }));
+  });
+}
+
+template <int n>
+auto arrays_of_points(const std::vector<BarycentricPoint<n>>& points) {
+  std::vector<Index> simplex;
+  std::vector<double> barycentric;
+  for (const auto& point : points) {
+    simplex.push_back(point.simplex);
+    barycentric.insert(barycentric.end(), point.barycentric.begin(), point.barycentric.end());
+  }
+  return std::pair(owned(std::move(simplex)), owned(std::move(barycentric), {points.size(), n + 1}));
+}
+
+template <int n>
+struct LocatorOf {
+  Body<n> body;
+  PointLocator<n> locator;
+  explicit LocatorOf(Body<n> of) : body(std::move(of)), locator(*body.complex, *body.geometry) {}
+};
+
+/// A PointLocator with what it refers to.
+class AnyLocator {
+ public:
+  explicit AnyLocator(const AnyComplex& any)
+      : locator_(any.with_metric<1>([]<int n>(const Body<n>& body) {
+          return Locators(std::make_shared<const LocatorOf<n>>(body));
+        })) {}
+
+  /// The top simplex of every point, -1 outside, and barycentric coordinates.
+  [[nodiscard]] auto locate(const Values& points) const {
+    return std::visit(
+        [&](const auto& of) { return arrays_of_points(without_gil([&] { return of->locator.locate_all(span_of(points)); })); },
+        locator_);
+  }
+
+  /// The same for the nearest points of the complex, and how far away they are.
+  [[nodiscard]] auto nearest(const Values& points) const {
+    return std::visit(
+        [&]<int n>(const std::shared_ptr<const LocatorOf<n>>& of) {
+          const auto found = without_gil([&] { return of->locator.nearest_all(span_of(points)); });
+          std::vector<BarycentricPoint<n>> places;
+          std::vector<double> distances;
+          for (const auto& point : found) {
+            places.push_back(point.point);
+            distances.push_back(point.distance);
+          }
+          auto [simplex, barycentric] = arrays_of_points(places);
+          return std::tuple(simplex, barycentric, owned(std::move(distances)));
+        },
+        locator_);
+  }
+
+ private:
+  template <int n>
+  using Pointer = std::shared_ptr<const LocatorOf<n>>;
+  using Locators = std::variant<Pointer<1>, Pointer<2>, Pointer<3>, Pointer<4>>;
+  Locators locator_;
+};
+
+/// (points, C(d, k)), NaN where there is no simplex.
+auto interpolate(const AnyComplex& any, int k, const Values& w, const Indices& simplex, const Values& barycentric) {
+  return any.with_metric([&]<int n>(const Body<n>& body) {
+    const std::size_t count = simplex.size();
+    auto values = without_gil([&] {
+      std::vector<BarycentricPoint<n>> points(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        points[i].simplex = span_of(simplex)[i];
+        std::ranges::copy(span_of(barycentric).subspan(i * (n + 1), n + 1), points[i].barycentric.begin());
+      }
+      const WhitneyMap<n> W(*body.complex, *body.geometry);
+      return with_constant<0, n>(k, "the degree k", [&](auto degree) {
+        return W.at(PrimalForm<n, degree()>(*body.complex, copied(w)), std::span<const BarycentricPoint<n>>(points));
+      });
+    });
+    return owned(std::move(values), {count, static_cast<std::size_t>(binomial(body.geometry->coordinate_dimension(), k))});
+  });
+}
+
+auto sharp(const AnyComplex& any, const std::string& kind, const Values& w) {
+  return any.with_metric<1>([&]<int n>(const Body<n>& body) {
+    const Geometry<n>& geometry = *body.geometry;
+    auto vectors = without_gil([&] {
+      const PrimalForm<n, 1> form(*body.complex, copied(w));
+      return kind == "pp" ? pp_sharp(geometry, form) : kind == "pd" ? pd_sharp(geometry, form) : whitney_sharp(geometry, form);
+    });
+    const auto d = static_cast<std::size_t>(geometry.coordinate_dimension());
+    return owned(std::move(vectors), {vectors.size() / d, d});
+  });
+}
+
+auto flat(const AnyComplex& any, const std::string& kind, const Values& X) {
+  return any.with_metric<1>([&](const auto& body) {
+    return owned(without_gil([&] {
+      const auto& K = *body.complex;
+      if (kind == "dpd") return values_of(dpd_flat(K, *body.geometry, span_of(X)));
+      return values_of(kind == "dpp" ? dpp_flat(K, *body.geometry, span_of(X)) : ppp_flat(K, *body.geometry, span_of(X)));
+    }));
+  });
+}
+
+/// A vector field that Python evaluates, one point at a time.
+struct PythonField {
+  nb::object function;
+  std::size_t m;
+
+  std::vector<double> operator()(std::span<const double> x) const {
+    const nb::gil_scoped_acquire held;
+    const auto point = owned(std::vector<double>(x.begin(), x.end()), {1, m});
+    const auto value = nb::cast<Values>(function(point));
+    return copied(value);
+  }
+};
+
+struct ConstantField {
+  std::vector<double> value;
+  const std::vector<double>& operator()(std::span<const double>) const { return value; }
+};
+
+template <int n, class Field>
+std::vector<double> contraction(const Body<n>& body, int k, const Values& w, Field field, bool upwind, int order) {
+  const InteriorProduct<n, Field> i_X(*body.complex, *body.geometry, std::move(field), upwind ? Trace::upwind : Trace::mean,
+                                      order);
+  return with_constant<1, n>(k, "the degree k", [&](auto degree) {
+    return values_of(i_X(PrimalForm<n, degree()>(*body.complex, copied(w))));
+  });
+}
+
+auto contract_constant(const AnyComplex& any, int k, const Values& w, const Values& X, bool upwind, int order) {
+  return any.with_metric<1>([&](const auto& body) {
+    return owned(without_gil([&] { return contraction(body, k, w, ConstantField{copied(X)}, upwind, order); }));
+  });
+}
+
+auto contract(const AnyComplex& any, int k, const Values& w, const nb::callable& X, bool upwind, int order) {
+  return any.with_metric<1>([&](const auto& body) {
+    const PythonField field{X, static_cast<std::size_t>(body.geometry->ambient_dimension())};
+    return owned(without_gil([&] {
+      return contraction(body, k, w, [&field](std::span<const double> x) { return field(x); }, upwind, order);
+    }));
+  });
+}
+
+}  // namespace
+
+void bind_operator_fields(nb::module_& module, ComplexClass& complex) {
+  using nb::arg;
+  nb::class_<AnyLocator>(module, "Locator")
+      .def(nb::init<const AnyComplex&>(), arg("complex"))
+      .def("locate", &AnyLocator::locate, arg("points").noconvert())
+      .def("nearest", &AnyLocator::nearest, arg("points").noconvert());
+  complex.def("nodes", &nodes, arg("k"), arg("order"));
+  complex.def("integrate", &integrate, arg("k"), arg("order"), arg("values").noconvert());
+  complex.def("interpolate", &interpolate, arg("k"), arg("w").noconvert(), arg("simplex").noconvert(),
+              arg("barycentric").noconvert());
+  complex.def("sharp", &sharp, arg("kind"), arg("w").noconvert());
+  complex.def("flat", &flat, arg("kind"), arg("X").noconvert());
+  complex.def("contract", &contract_constant, arg("k"), arg("w").noconvert(), arg("X").noconvert(), arg("upwind"),
+              arg("order"));
+  complex.def("contract", &contract, arg("k"), arg("w").noconvert(), arg("X"), arg("upwind"), arg("order"));
+}
+
+}  // namespace derham::python

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "any_complex.hpp"
+#include "any_star.hpp"
+
+#include <nanobind/nanobind.h>
+
+// What each room of the library adds to the module; one source file each; operators has several.
+namespace derham::python {
+
+using ComplexClass = nanobind::class_<AnyComplex>;
+using StarClass = nanobind::class_<AnyStar>;
+
+void bind_core(nanobind::module_& module);
+void bind_complex(ComplexClass& complex);
+void bind_boundary(ComplexClass& complex);
+void bind_forms(ComplexClass& complex);
+void bind_geometry(ComplexClass& complex);
+void bind_dual(ComplexClass& complex);
+void bind_hodge(StarClass& star);
+void bind_operators(ComplexClass& complex, StarClass& star);
+void bind_operator_fields(nanobind::module_& module, ComplexClass& complex);
+void bind_operator_matrices(StarClass& star);
+void bind_operator_spaces(nanobind::module_& module, ComplexClass& complex);
+void bind_meshes(nanobind::module_& module);
+void bind_io(nanobind::module_& module, ComplexClass& complex);
+
+}  // namespace derham::python

@@ -1,0 +1,32 @@
+"""Discrete exterior calculus: simplicial complexes with exact boundary operators and Hodge stars, on numpy and scipy.
+
+>>> import derham
+>>> K = derham.generate.box(3, 4)
+>>> K.sizes
+(125, 604, 864, 384)
+>>> bool((K.d(1) @ K.d(0)).count_nonzero())
+False
+"""
+
+from . import errors  # first: the compiled half raises them
+from . import generate
+from ._derham import set_thread_count, thread_count
+from ._derham import version as __version__
+from .complex import Complex, read
+from .errors import Error, FileError, GeometryError, InputError, LimitError, TopologyError
+
+__all__ = [
+    "Complex",
+    "Error",
+    "FileError",
+    "GeometryError",
+    "InputError",
+    "LimitError",
+    "TopologyError",
+    "__version__",
+    "errors",
+    "generate",
+    "read",
+    "set_thread_count",
+    "thread_count",
+]

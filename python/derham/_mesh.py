@@ -1,0 +1,88 @@
+"""What a mesh says beside its simplices: named parts and fields; conditions on parts of the boundary; refinement."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from ._base import Base, Integers, index_array
+from .errors import InputError
+from .spaces import FormSpace, Refinement
+
+
+@dataclass(frozen=True)
+class Part:
+    """A named set of simplices of one dimension: a physical group of Gmsh, a marker of TetGen, a reference of Medit."""
+
+    name: str
+    number: int
+    degree: int
+    count: int
+
+
+class Mesh(Base):
+    """Parts, fields, notes; and what is made with them."""
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The tagged points, curves, surfaces and regions of the file."""
+        return tuple(Part(name, number, degree, len(members)) for name, number, degree, members in self._core.parts())
+
+    @property
+    def fields(self) -> dict[str, npt.NDArray[np.float64]]:
+        """The numbers that the file has on vertices or on simplices, by name. Shape (count, components)."""
+        return {name: values for name, _, values in self._core.fields()}
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the reader did that the reader of its result should know."""
+        return tuple(self._core.notes())
+
+    def tagged_chain(self, part: str | int, degree: int | None = None, *, coherent: bool = False) -> npt.NDArray[np.int64]:
+        """A tagged curve, surface or region as a chain: its simplices, each oriented as the file lists its vertices; those
+        of top degree are positive.
+
+        part     its name or its number
+        degree   of the part, where several have the name or number
+        coherent orient the simplices so that they cancel on every common face of two of them
+
+        The integral of a form over it, a circulation or flux, is their dot product.
+        Shape    (|K_degree|,)
+        Raises   InputError naming the parts there are; TopologyError if it cannot be made coherent
+        """
+        column = "number" if isinstance(part, (int, np.integer)) else "name"
+        parts = self.parts
+        found = [i for i, p in enumerate(parts) if getattr(p, column) == part and degree in (None, p.degree)]
+        if len(found) != 1:
+            known = ", ".join(f"{p.name!r} (number {p.number}, degree {p.degree})" for p in parts) or "none"
+            raise InputError(f"{len(found) or 'no'} parts have the {column} {part!r}; there are {known}")
+        simplices, coefficients = self._core.tagged_chain(found[0], coherent)
+        chain = np.zeros(self._sizes[parts[found[0]].degree], np.int64)
+        chain[simplices] = coefficients
+        return chain
+
+    def form_space(self, prescribed: Literal["boundary"] | npt.ArrayLike | None = "boundary") -> FormSpace:
+        """Forms with boundary conditions: what is prescribed is on the closure of some facets.
+
+        prescribed  "boundary" for all of it (relative forms), None for nothing (absolute), or the indices of facets
+        """
+        facets: Integers | None = None
+        if not isinstance(prescribed, str):
+            facets = index_array(() if prescribed is None else prescribed, "prescribed")
+        elif prescribed != "boundary":
+            raise InputError(f"prescribed is {prescribed!r}; expected 'boundary', None, or the indices of facets")
+        self_: Any = self
+        return FormSpace(self_, self._core.form_space(facets))
+
+    def refined(self) -> Refinement:
+        """The edgewise subdivision, with prolongation and restriction of forms; parts, positions and lengths come along.
+
+        >>> import derham
+        >>> derham.generate.sphere(2).refined().fine.sizes
+        (10, 24, 16)
+        """
+        self_: Any = self
+        return Refinement(self_)

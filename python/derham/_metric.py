@@ -1,0 +1,195 @@
+"""The rooms geometry, dual and hodge: positions, volumes, dual volumes, Hodge stars and what they are good for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sparse
+
+from . import _derham
+from ._base import Base, Floats, Integers, float_array, index_array
+from .errors import InputError
+from .reports import DualReport, DualVerdict, QualityReport, StarReport
+
+#: Kinds of Hodge stars; all but "whitney" are diagonal.
+StarKind: TypeAlias = Literal["circumcentric", "power", "barycentric", "lumped", "whitney"]
+STAR_KINDS: tuple[str, ...] = ("circumcentric", "power", "barycentric", "lumped", "whitney")
+
+#: Numbers (|K_n|,) or one; symmetric tensors (|K_n|, m, m) or one (m, m); or such rows with the row of every top simplex.
+Material: TypeAlias = "npt.ArrayLike | tuple[npt.ArrayLike, npt.ArrayLike]"
+
+
+@dataclass(frozen=True)
+class DualCell:
+    """A dual cell as it is drawn: circumcentres (count, d), and paths or closed loops of their numbers."""
+
+    points: Floats
+    polylines: tuple[tuple[int, ...], ...]
+    polygons: tuple[tuple[int, ...], ...]
+
+
+class Metric(Base):
+    """What needs a metric: positions, corners or edge lengths. GeometryError where there is none."""
+
+    @property
+    def metric_source(self) -> str | None:
+        """What the metric is made of: "points", "corners", "edge_lengths_squared", or None if there is none."""
+        return self._core.metric_source()
+
+    @property
+    def ambient_dimension(self) -> int:
+        """m, the dimension of space; 0 if there are no positions."""
+        return self._core.ambient_dimension
+
+    @property
+    def points(self) -> Floats | None:
+        """The positions of the vertices, or None. Shape (|V|, m), read-only, no copy."""
+        points: Any = self._core.points()
+        return None if points is None else np.asarray(points)
+
+    def corners(self) -> Floats:
+        """The positions of the corners of every top simplex in the order of its sorted vertices, in its own chart.
+
+        Shape    (|K_n|, n+1, m); with edge lengths only, (|K_n|, n+1, n) in a frame of its own
+        """
+        return self._core.corners()
+
+    def edge_lengths_squared(self) -> Floats:
+        """Squared edge lengths. Shape (|E|,), units length^2."""
+        return self._core.edge_lengths_squared()
+
+    def volumes(self, k: int) -> Floats:
+        """The volumes of the k-simplices: 1, lengths, areas, …. Shape (|K_k|,), units length^k."""
+        return self._core.volumes(self._degree(k))
+
+    def dual_volumes(self, k: int) -> Floats:
+        """The signed volumes of the circumcentric dual cells of the k-simplices.
+
+        Shape    (|K_k|,), units length^(n-k)
+        Law      (volumes(k) * dual_volumes(k)).sum() is C(n, k) times the volume, on every mesh
+        Raises   GeometryError naming flat top simplices
+        Source   Elcott & Schröder, §6.2.1, with 1/(n-k) and signs
+        """
+        return self._core.dual_volumes(self._degree(k))
+
+    def quality(self) -> QualityReport:
+        """Which top simplices are flat or inverted, and how large they are."""
+        return QualityReport(*self._core.quality())
+
+    def dual_report(self) -> DualReport:
+        """What the circumcentric dual is like: Delaunay, one-sided, well-centred; zeros and negative entries by degree."""
+        stars, delaunay, one_sided, well_centered, degenerate = self._core.dual_report()
+        return DualReport(tuple(DualVerdict(*star) for star in stars), delaunay, one_sided, well_centered, degenerate)
+
+    def dual_cells(self, k: int, simplices: npt.ArrayLike) -> list[DualCell]:
+        """The circumcentric dual cells of some k-simplices as points, paths and loops, for pictures.
+
+        Raises   InputError unless n-k <= 3 and simplices are in [0, |K_k|); GeometryError naming a flat simplex
+        """
+        cells = self._core.dual_cells(self._degree(k), index_array(np.atleast_1d(simplices), "simplices"))
+        return [DualCell(p, tuple(map(tuple, a)), tuple(map(tuple, b))) for p, a, b in cells]
+
+    def star(
+        self,
+        k: int,
+        kind: StarKind = "circumcentric",
+        *,
+        weights: npt.ArrayLike | None = None,
+        material: Material | None = None,
+    ) -> sparse.sparray:
+        """⋆_k, from primal k-forms to dual (n-k)-forms.
+
+        kind     "circumcentric" (diagonal, signed: see `star_verdict`), "power" (with `weights` (|V|,), length^2),
+                 "barycentric" and "lumped" (good for k = 0 and n only), "whitney" (the mass matrix: positive on every mesh)
+        Shape    |K_k| × |K_k|: diagonal, for "whitney" by rows; of the diagonal no copy is made
+        Units    length^(n-2k), times the material's
+        Raises   InputError for a wrong degree, kind, weights or material; TopologyError if K is not orientable
+                 (but for "whitney"); GeometryError without a metric, or naming flat top simplices
+        Source   Elcott & Schröder, §6.2; Bell & Hirani, "PyDEC", 2012, §10 (whitney)
+
+        >>> import derham
+        >>> derham.generate.bcc_lattice(3).star(3).diagonal()[:3]
+        array([12., 12., 12.])
+        """
+        k = self._degree(k)
+        if kind == "whitney":
+            data, indices, pointers = self._core.whitney_mass(k, self._material(material))
+            return sparse.csr_array((data, indices, pointers), shape=(self._sizes[k],) * 2, copy=False)
+        diagonal = self._star(kind, weights, material).diagonal(k)
+        return sparse.dia_array((diagonal.reshape(1, -1), [0]), shape=(self._sizes[k],) * 2, copy=False)
+
+    def star_inverse(
+        self,
+        k: int,
+        kind: StarKind = "circumcentric",
+        *,
+        weights: npt.ArrayLike | None = None,
+        material: Material | None = None,
+    ) -> sparse.dia_array:
+        """The inverse of a diagonal ⋆_k, without the sign of the star back, which is (-1)^(k(n-k)) times it.
+
+        Raises   as `star`; GeometryError naming simplices whose dual volume is zero; InputError for "whitney", whose
+                 inverse is not sparse: factorise it
+        """
+        k = self._degree(k)
+        diagonal = self._star(kind, weights, material).inverse_diagonal(k)
+        return sparse.dia_array((diagonal.reshape(1, -1), [0]), shape=(self._sizes[k],) * 2, copy=False)
+
+    def star_verdict(
+        self,
+        k: int,
+        kind: StarKind = "circumcentric",
+        *,
+        weights: npt.ArrayLike | None = None,
+        material: Material | None = None,
+    ) -> StarReport:
+        """What `star` of these arguments is good for here: positive or not, where it is zero or negative, its condition,
+        its error on constant forms, and what to use instead.
+
+        >>> import derham
+        >>> verdict = derham.generate.box(2, 2).star_verdict(1)
+        >>> verdict.definiteness, len(verdict.zero)
+        ('not positive', 4)
+        """
+        k = self._degree(k)
+        if kind == "whitney":
+            return StarReport(k, *self._core.whitney_report(k, self._material(material)))
+        return StarReport(k, *self._star(kind, weights, material).report(k))
+
+    def _star(self, kind: str, weights: npt.ArrayLike | None, material: Material | None) -> _derham.Star:
+        if kind not in STAR_KINDS or kind == "whitney":
+            raise InputError(f"the kind of star is {kind!r}; expected a diagonal one of {', '.join(STAR_KINDS[:-1])}")
+        if weights is not None and kind != "power":
+            raise InputError(f"weights are given for the {kind} star; only kind='power' has weights")
+        if weights is not None:
+            weights = float_array(weights, "weights")
+        plain = weights is None and material is None
+        if plain and ("star", kind) in self._kept:
+            kept: _derham.Star = self._kept["star", kind]
+            return kept
+        star = _derham.Star(self._core, kind, weights, self._material(material))
+        if plain:
+            self._kept["star", kind] = star
+        return star
+
+    def _material(self, material: Material | None) -> tuple[Floats, Integers | None] | None:
+        """Numbers (rows,) or tensors (rows, m, m), and the row of every top simplex or None."""
+        if material is None:
+            return None
+        rows: Integers | None = None
+        numbers: Any = material
+        if isinstance(material, tuple):
+            numbers, tags = material
+            rows = index_array(tags, "the rows of the material")
+        values = float_array(numbers, "material")
+        if values.ndim in (0, 2):
+            values = values[np.newaxis]
+        if values.ndim not in (1, 3) or (values.ndim == 3 and values.shape[1] != values.shape[2]):
+            raise InputError(
+                f"the material has shape {np.shape(numbers)}; expected a number, ({self._sizes[-1]},) numbers, a tensor "
+                f"(m, m) or ({self._sizes[-1]}, m, m) tensors"
+            )
+        return values, rows

@@ -1,0 +1,170 @@
+"""Construction, lists, lookup: what goes in and what comes out."""
+
+from __future__ import annotations
+
+import copy
+import gc
+import itertools
+import multiprocessing
+import pickle
+import threading
+
+import numpy as np
+import pytest
+from conftest import random_rows
+
+import derham
+
+
+def lists_of(rows: np.ndarray) -> list[set[tuple[int, ...]]]:
+    """The obvious construction: all subsets of all rows."""
+    return [
+        {tuple(sorted(face)) for row in rows.tolist() for face in itertools.combinations(row, k + 1)}
+        for k in range(rows.shape[1])
+    ]
+
+
+@pytest.mark.parametrize("n", range(7))
+def test_lists_are_the_subsets_of_the_rows(n: int) -> None:
+    rows = random_rows(n, n + 5, 9, seed=n)
+    K = derham.Complex(rows)
+    assert K.dimension == n and K.sizes == tuple(map(len, lists_of(rows)))
+    for k, expected in enumerate(lists_of(rows)):
+        found = K.simplices(k).tolist()
+        assert set(map(tuple, found)) == expected
+        if k < n:
+            assert found == sorted(found)
+    assert (K.simplices(n) == np.sort(rows, axis=1)).all()  # in the order of the input
+
+
+def test_every_alias_is_found_with_its_sign() -> None:
+    K = derham.Complex([(0, 1, 2, 3)])
+    for alias in itertools.permutations(range(4)):
+        index, sign = K.index(alias)
+        assert index == 0 and sign == round(np.linalg.det(np.eye(4)[list(alias)]))
+    index, sign = K.index([(3, 1), (1, 3)])
+    assert index[0] == index[1] and sign.tolist() == [-1, 1]
+    assert K.find((1, 1)).sign == 0
+
+
+def test_input_of_any_integer_type_and_tuples() -> None:
+    rows = [(0, 1, 2), (2, 1, 3)]
+    expected = derham.Complex(rows).simplices(1)
+    for dtype in (np.int8, np.uint8, np.int32, np.int64, np.uint64):
+        assert (derham.Complex(np.array(rows, dtype)).simplices(1) == expected).all()
+    fortran = np.asfortranarray(np.array(rows))
+    assert (derham.Complex(fortran).simplices(1) == expected).all()
+
+
+def test_mixed_dimensions_make_a_complex_that_is_not_pure() -> None:
+    K = derham.Complex([(0, 1, 2), (2, 3)], points=[(0, 0), (1, 0), (0, 1), (1, 1)])
+    assert K.sizes == (4, 4, 1) and not K.is_pure
+    with pytest.raises(derham.TopologyError, match="pure"):
+        K.volumes(1)
+
+
+def test_the_empty_complex() -> None:
+    K = derham.Complex([])
+    assert K.sizes == (0,) and K.simplices(0).shape == (0, 1) and K.d(0).shape == (0, 0)
+
+
+def test_orientation_by_volume() -> None:
+    points = [(0, 0), (1, 0), (0, 1)]
+    assert derham.Complex([(0, 2, 1)], points=points).signs.tolist() == [1]
+    assert derham.Complex([(0, 2, 1)]).signs.tolist() == [-1]
+    assert not derham.generate.moebius_strip().is_orientable
+
+
+@pytest.mark.parametrize("metric", ["none", "points", "corners", "lengths"])
+def test_pickle_and_copy(metric: str) -> None:
+    K = {
+        "none": lambda: derham.Complex(random_rows(3, 8, 9, seed=1)),
+        "points": lambda: derham.generate.torus(5, 4),
+        "corners": lambda: derham.generate.periodic_box(2, 4, jitter=0.2),
+        "lengths": lambda: derham.Complex([(0, 2, 1), (1, 2, 3)], edge_lengths_squared=[1, 2, 1, 2, 1]),
+    }[metric]()
+    L = pickle.loads(pickle.dumps(K))
+    assert copy.copy(K) is K and copy.deepcopy(K) is K
+    for k in range(K.dimension + 1):
+        assert (K.simplices(k) == L.simplices(k)).all()
+    assert (K.signs == L.signs).all()
+    if metric != "none":
+        assert K.metric_source == L.metric_source
+        np.testing.assert_allclose(K.dual_volumes(0), L.dual_volumes(0), rtol=1e-12)
+
+
+def test_views_live_as_long_as_they_are_used() -> None:
+    def fresh() -> list[np.ndarray]:
+        K = derham.generate.box(3, 6)
+        return [K.simplices(2), K.faces(3), K.signs, K.star(1).data, K.d(1).indices, K.points]
+
+    kept = fresh()
+    copies = [view.copy() for view in kept]
+    gc.collect()
+    rubble = [np.full(view.shape, 7, view.dtype) for view in kept for _ in range(20)]  # would overwrite freed memory
+    gc.collect()
+    for view, expected in zip(kept, copies, strict=True):
+        np.testing.assert_array_equal(view, expected)
+    assert len(rubble) == 20 * len(kept)
+
+
+def test_views_are_read_only() -> None:
+    K = derham.generate.box(2, 2)
+    for view in (K.simplices(1), K.faces(2), K.signs, K.points, K.star(1).data, K.d(0).indices, K.d(0).data):
+        assert not view.flags.writeable
+        with pytest.raises(ValueError):
+            view[...] = 0
+
+
+def _euler_in_child(K: derham.Complex, queue: multiprocessing.Queue) -> None:
+    L = derham.generate.box(3, 12)  # many blocks: asks for threads
+    queue.put((K.euler_characteristic, L.euler_characteristic, float(L.apply_d(np.ones(L.size(0)), 0).sum())))
+
+
+@pytest.mark.filterwarnings("ignore:.*fork.*")
+def test_fork() -> None:
+    K = derham.generate.box(3, 12)
+    context = multiprocessing.get_context("fork")
+    queue = context.Queue()
+    child = context.Process(target=_euler_in_child, args=(K, queue))
+    child.start()
+    assert queue.get(timeout=60) == (1, 1, 0.0)
+    child.join(60)
+    assert child.exitcode == 0
+
+
+def test_other_threads_run_meanwhile() -> None:
+    rows = derham.generate.box(3, 30).simplices(3)
+    counted, done = 0, threading.Event()
+
+    def work() -> None:
+        for _ in range(3):
+            derham.Complex(rows)
+        done.set()
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    while not done.is_set():
+        counted += 1
+    thread.join()
+    assert counted > 1000
+
+
+def test_the_same_bits_on_any_number_of_threads() -> None:
+    before = derham.thread_count()
+    results = []
+    for count in (1, 2, 4):
+        derham.set_thread_count(count)
+        K = derham.generate.box(3, 6, jitter=0.3)
+        results.append((K.signs.copy(), K.apply_d(np.arange(K.size(1), dtype=float) ** 0.5, 1), K.star(1).data.copy()))
+    derham.set_thread_count(before)
+    for other in results[1:]:
+        for a, b in zip(results[0], other, strict=True):
+            assert a.tobytes() == b.tobytes()
+
+
+def test_repr() -> None:
+    K = derham.generate.box(2, 2)
+    assert repr(K) == "derham.Complex of dimension 2 in space of dimension 2: 9, 16, 8 simplices"
+    assert "<td>16</td>" in K._repr_html_()
+    assert "without a metric" in repr(derham.generate.klein_bottle())

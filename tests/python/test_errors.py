@@ -1,0 +1,82 @@
+"""What is refused, as which class, and whether the message says what was expected and what was given."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+import derham
+
+K = derham.generate.box(2, 2)
+M = derham.generate.moebius_strip()
+
+REFUSED: list[tuple[type[Exception], str, Callable[[], object]]] = [
+    (ValueError, r"degree k is 3; expected 0 to 2", lambda: K.simplices(3)),
+    (ValueError, r"degree k is -1; expected 0 to 2", lambda: K.d(-1)),
+    (ValueError, r"degree k is 1\.0; expected 0 to 2", lambda: K.star(1.0)),  # type: ignore[arg-type]
+    (ValueError, r"degree k is 2; expected 0 to 1", lambda: K.apply_d(np.ones(8), 2)),
+    (ValueError, r"degree k is 0; expected 1 to 2", lambda: K.faces(0)),
+    (ValueError, r"w has shape \(3,\); a primal 1-form .* shape \(16,\)", lambda: K.apply_d([1, 2, 3], 1)),
+    (ValueError, r"w has shape \(9,\); a dual 0-form .* shape \(8,\)", lambda: K.apply_d(np.ones(9), 0, "dual")),
+    (ValueError, r"w has shape \(16, 1, 1\)", lambda: K.apply_d(np.ones((16, 1, 1)), 1)),
+    (ValueError, r"the side is 'left'; expected 'primal' or 'dual'", lambda: K.d(0, "left")),  # type: ignore[arg-type]
+    (ValueError, r"array of complex128; expected real numbers", lambda: K.apply_d(np.ones(16) * 1j, 1)),
+    (ValueError, r"out is an array of float32", lambda: K.apply_d(np.ones(16), 1, out=np.ones(8, np.float32))),  # type: ignore[arg-type]
+    (ValueError, r"simplices is an array of float64; expected integers", lambda: derham.Complex(np.ones((2, 3)))),
+    (ValueError, r"simplices have shape \(3,\)", lambda: derham.Complex(np.arange(3))),
+    (ValueError, r"row 1 .*repeat|row 1 .*more than once|row 1", lambda: derham.Complex([(0, 1, 2), (2, 2, 3)])),
+    (ValueError, r"points have shape \(3,\)", lambda: derham.Complex([(0, 1)], points=[1, 2, 3])),
+    (ValueError, r"points and edge_lengths_squared are given",
+     lambda: derham.Complex([(0, 1)], [(0,), (1,)], edge_lengths_squared=[1])),
+    (ValueError, r"dimension", lambda: derham.Complex([(0, 1, 2)], points=[(0,), (1,), (2,)])),
+    (ValueError, r"dimension of the simplices is 7; expected 0 to 6", lambda: derham.Complex([range(8)])),
+    (derham.GeometryError, r"vertex 1", lambda: derham.Complex([(0, 1)], points=[(0,), (np.nan,)])),
+    (ValueError, r"the tuple \(0, 8\) is no simplex", lambda: K.index((0, 8))),
+    (ValueError, r"row 1, the tuple \(0, 8\)", lambda: K.index([(0, 1), (0, 8)])),
+    (ValueError, r"tuples have shape \(2, 4\)", lambda: K.find(np.zeros((2, 4), int))),
+    (ValueError, r"no 1-simplex 16; expected 0 to 15", lambda: K.closure({1: [16]})),
+    (ValueError, r"kind of star is 'round'; expected .*circumcentric", lambda: K.star(1, "round")),  # type: ignore[arg-type]
+    (ValueError, r"only kind='power'", lambda: K.star(1, weights=np.zeros(9))),
+    (ValueError, r"expected a diagonal one", lambda: K.star_inverse(1, "whitney")),
+    (ValueError, r"material", lambda: K.star(1, material=np.ones(3))),
+    (derham.TopologyError, r"not orientable", lambda: M.apply_d(np.ones(5), 0, "dual")),
+    (derham.GeometryError, r"has no metric", lambda: M.volumes(1)),
+    (ValueError, r"dimension of the complex is 5; expected 0 to 4", lambda: derham.generate.box(5, 1).star(0)),
+    (derham.GeometryError, r"zero", lambda: K.star_inverse(1)),
+    (ValueError, r"3 numbers of cells; expected one, or 2", lambda: derham.generate.box(2, (1, 2, 3))),
+    (derham.LimitError, r"", lambda: derham.generate.box(2, 2_000_000)),
+    (OSError, r"nowhere", lambda: derham.read("/nowhere.off")),
+    (ValueError, r"no format 'xyz'; expected", lambda: derham.read("/nowhere.off", "xyz")),
+    (ValueError, r"tells no format", lambda: K.write("mesh.unknown")),
+]
+
+
+@pytest.mark.parametrize(("expected", "message", "action"), REFUSED, ids=[m for _, m, _ in REFUSED])
+def test_refused(expected: type[Exception], message: str, action: Callable[[], object]) -> None:
+    with pytest.raises(derham.Error) as caught:
+        action()
+    assert isinstance(caught.value, expected)
+    assert re.search(message, str(caught.value))
+
+
+def test_classes() -> None:
+    for error, builtin in (
+        (derham.InputError, ValueError), (derham.TopologyError, ValueError), (derham.GeometryError, ValueError),
+        (derham.LimitError, OverflowError), (derham.FileError, OSError),
+    ):
+        assert issubclass(error, builtin) and issubclass(error, derham.Error)
+
+
+def test_attributes(tmp_path) -> None:  # type: ignore[no-untyped-def]
+    with pytest.raises(derham.InputError) as input_error:
+        derham.Complex([(0, 1, 2), (2, 1, 0)])
+    assert input_error.value.row == 1
+    path = tmp_path / "bad.off"
+    path.write_text("OFF\n3 1 0\n0 0 0\n1 0 zero\n")
+    with pytest.raises(derham.FileError) as file_error:
+        derham.read(path)
+    error = file_error.value
+    assert (error.path, error.line, error.action) == (str(path), 4, "read") and str(error).startswith(f"{path}:4: ")
