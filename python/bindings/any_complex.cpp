@@ -39,7 +39,8 @@ void exchange_last(const SimplicialComplex<n>& K, std::vector<T>& values, std::s
   if constexpr (n >= 1) {
     for (Index t = 0; t < K.size(n); ++t) {
       if (K.sign(n, t) > 0) continue;
-      const auto end = values.begin() + static_cast<std::ptrdiff_t>((static_cast<std::size_t>(t) + 1) * (n + 1) * items);
+      const auto end =
+          values.begin() + static_cast<std::ptrdiff_t>((static_cast<std::size_t>(t) + 1) * (n + 1) * items);
       const auto size = static_cast<std::ptrdiff_t>(items);
       std::swap_ranges(end - 2 * size, end - size, end - size);
     }

@@ -64,7 +64,8 @@ template <class T>
 [[nodiscard]] Array<const T> view(std::span<const T> values, std::initializer_list<std::size_t> shape,
                                   std::shared_ptr<const void> keeper) {
   auto* const kept = new std::shared_ptr<const void>(std::move(keeper));
-  const nb::capsule owner(kept, [](void* memory) noexcept { delete static_cast<std::shared_ptr<const void>*>(memory); });
+  const nb::capsule owner(kept,
+                          [](void* memory) noexcept { delete static_cast<std::shared_ptr<const void>*>(memory); });
   return Array<const T>(values.data(), shape, owner);
 }
 template <class T>

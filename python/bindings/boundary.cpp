@@ -18,15 +18,13 @@ namespace derham::python {
 namespace {
 
 void coboundary(const AnyComplex& any, int k, const Values& x, const Output& y) {
-  without_gil([&] {
-    any.with_complex([&](const auto& K) { apply_coboundary(K, k, span_of(x), span_of(y), columns_of(x)); });
-  });
+  without_gil(
+      [&] { any.with_complex([&](const auto& K) { apply_coboundary(K, k, span_of(x), span_of(y), columns_of(x)); }); });
 }
 
 void boundary(const AnyComplex& any, int k, const Values& x, const Output& y) {
-  without_gil([&] {
-    any.with_complex([&](const auto& K) { apply_boundary(K, k, span_of(x), span_of(y), columns_of(x)); });
-  });
+  without_gil(
+      [&] { any.with_complex([&](const auto& K) { apply_boundary(K, k, span_of(x), span_of(y), columns_of(x)); }); });
 }
 
 /// verdict, pure, closed, orientable, defects (kind, simplex, detail).

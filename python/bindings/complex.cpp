@@ -81,9 +81,8 @@ auto faces(const AnyComplex& any, int k) {
 }
 
 auto signs(const AnyComplex& any) {
-  return any.visit([](const auto& body) {
-    return view(std::span<const Sign>(body.complex->orientation().sign), body.complex);
-  });
+  return any.visit(
+      [](const auto& body) { return view(std::span<const Sign>(body.complex->orientation().sign), body.complex); });
 }
 
 auto find(const AnyComplex& any, const Rows& tuples) {
@@ -136,9 +135,8 @@ auto open_star_of(const AnyComplex& any, const Lists& lists) {
 }
 
 auto link_of(const AnyComplex& any, const Lists& lists) {
-  return any.with_complex([&]<int n>(const SimplicialComplex<n>& K) {
-    return lists_of(link(K, CofaceLists<n>(K), set_of<n>(lists)));
-  });
+  return any.with_complex(
+      [&]<int n>(const SimplicialComplex<n>& K) { return lists_of(link(K, CofaceLists<n>(K), set_of<n>(lists))); });
 }
 
 auto boundary_of(const AnyComplex& any) {

@@ -12,8 +12,7 @@ namespace derham::python {
 /// Throws   InputError that names `what` otherwise
 template <int low, int high, class Action>
 auto with_constant(int value, const char* what, Action&& action) {
-  if (value < low || value > high)
-    throw InputError(text(what, " is ", value, "; expected ", low, " to ", high));
+  if (value < low || value > high) throw InputError(text(what, " is ", value, "; expected ", low, " to ", high));
   if constexpr (low < high)
     if (value > low) return with_constant<low + 1, high>(value, what, action);
   return action(std::integral_constant<int, low>());

@@ -53,7 +53,8 @@ auto corners_of(const AnyComplex& any) {
     const auto d = static_cast<std::size_t>(body.geometry->coordinate_dimension());
     std::vector<double> values;
     for (Index t = 0; t < body.complex->size(n); ++t)
-      for (const double* corner : body.geometry->corners(*body.complex, t)) values.insert(values.end(), corner, corner + d);
+      for (const double* corner : body.geometry->corners(*body.complex, t))
+        values.insert(values.end(), corner, corner + d);
     return owned(std::move(values), {static_cast<std::size_t>(body.complex->size(n)), n + 1, d});
   });
 }

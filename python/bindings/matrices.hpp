@@ -15,7 +15,8 @@ namespace derham::python {
   const auto matrix = std::make_shared<SparseMatrix>(std::move(given));
   const auto array = [&matrix](auto* data, Eigen::Index size) {
     auto* const kept = new std::shared_ptr<SparseMatrix>(matrix);
-    const nb::capsule owner(kept, [](void* memory) noexcept { delete static_cast<std::shared_ptr<SparseMatrix>*>(memory); });
+    const nb::capsule owner(kept,
+                            [](void* memory) noexcept { delete static_cast<std::shared_ptr<SparseMatrix>*>(memory); });
     return Array<std::remove_pointer_t<decltype(data)>>(data, {static_cast<std::size_t>(size)}, owner);
   };
   return std::tuple(array(matrix->valuePtr(), matrix->nonZeros()), array(matrix->innerIndexPtr(), matrix->nonZeros()),

@@ -64,10 +64,12 @@ void shapes(nb::module_& m) {
         return meshes::periodic_box(cells, options(lengths, jitter, seed));
       },
       arg("cells"), arg("lengths"), arg("jitter"), arg("seed"));
-  generator(m, "ball", [](int n, Index layers, double radius) { return meshes::ball(n, layers, radius); },
-            arg("dimension"), arg("layers"), arg("radius"));
-  generator(m, "icosphere", [](int level, double radius) { return meshes::icosphere(level, radius); }, arg("level"),
-            arg("radius"));
+  generator(
+      m, "ball", [](int n, Index layers, double radius) { return meshes::ball(n, layers, radius); }, arg("dimension"),
+      arg("layers"), arg("radius"));
+  generator(
+      m, "icosphere", [](int level, double radius) { return meshes::icosphere(level, radius); }, arg("level"),
+      arg("radius"));
   generator(
       m, "torus",
       [](Index segments, Index sides, double major, double minor) {
@@ -80,24 +82,34 @@ void shapes(nb::module_& m) {
         return meshes::solid_torus(rings, segments, major, minor);
       },
       arg("rings"), arg("segments"), arg("major"), arg("minor"));
-  generator(m, "clifford_torus", [](Index a, Index b, double radius) { return meshes::clifford_torus(a, b, radius); },
-            arg("a"), arg("b"), arg("radius"));
-  generator(m, "a_star_lattice", [](int n, Index cells, double scale) { return meshes::a_star_lattice(n, cells, scale); },
-            arg("dimension"), arg("cells"), arg("scale"));
-  generator(m, "bcc_lattice", [](Index cells, double length) { return meshes::bcc_lattice(cells, length); },
-            arg("cells"), arg("cell_length"));
-  generator(m, "voxels", [](const std::string& spec) { return meshes::voxels(spec); }, arg("spec"));
+  generator(
+      m, "clifford_torus", [](Index a, Index b, double radius) { return meshes::clifford_torus(a, b, radius); },
+      arg("a"), arg("b"), arg("radius"));
+  generator(
+      m, "a_star_lattice", [](int n, Index cells, double scale) { return meshes::a_star_lattice(n, cells, scale); },
+      arg("dimension"), arg("cells"), arg("scale"));
+  generator(
+      m, "bcc_lattice", [](Index cells, double length) { return meshes::bcc_lattice(cells, length); }, arg("cells"),
+      arg("cell_length"));
+  generator(
+      m, "voxels", [](const std::string& spec) { return meshes::voxels(spec); }, arg("spec"));
   generator(m, "example", [] { return meshes::example(); });
 }
 
 void polytopes_and_classics(nb::module_& m) {
-  generator(m, "regular_simplex", [](int n) { return meshes::regular_simplex(n); }, arg("dimension"));
-  generator(m, "simplex_boundary", [](int n) { return meshes::simplex_boundary(n); }, arg("dimension"));
-  generator(m, "cross_polytope", [](int n) { return meshes::cross_polytope(n); }, arg("dimension"));
+  generator(
+      m, "regular_simplex", [](int n) { return meshes::regular_simplex(n); }, arg("dimension"));
+  generator(
+      m, "simplex_boundary", [](int n) { return meshes::simplex_boundary(n); }, arg("dimension"));
+  generator(
+      m, "cross_polytope", [](int n) { return meshes::cross_polytope(n); }, arg("dimension"));
   generator(m, "cell_600", [] { return meshes::cell_600(); });
-  generator(m, "cycle", [](Index size) { return meshes::cycle(size); }, arg("size"));
-  generator(m, "path", [](Index size) { return meshes::path(size); }, arg("size"));
-  generator(m, "sphere", [](int n) { return meshes::sphere(n); }, arg("dimension"));
+  generator(
+      m, "cycle", [](Index size) { return meshes::cycle(size); }, arg("size"));
+  generator(
+      m, "path", [](Index size) { return meshes::path(size); }, arg("size"));
+  generator(
+      m, "sphere", [](int n) { return meshes::sphere(n); }, arg("dimension"));
   generator(m, "projective_plane", [] { return meshes::projective_plane(); });
   generator(m, "klein_bottle", [] { return meshes::klein_bottle(); });
   generator(m, "csaszar_torus", [] { return meshes::csaszar_torus(); });
@@ -105,9 +117,10 @@ void polytopes_and_classics(nb::module_& m) {
   generator(m, "annulus", [] { return meshes::annulus(); });
   generator(m, "complex_projective_plane", [] { return meshes::complex_projective_plane(); });
   generator(m, "poincare_sphere", [] { return meshes::poincare_sphere(); });
-  generator(m, "lens_space", [](int p, int q) { return meshes::lens_space(p, q); }, arg("p"), arg("q"));
-  generator(m, "grid_torus", [](int n, Index cells) { return meshes::grid_torus(n, cells); }, arg("dimension"),
-            arg("cells"));
+  generator(
+      m, "lens_space", [](int p, int q) { return meshes::lens_space(p, q); }, arg("p"), arg("q"));
+  generator(
+      m, "grid_torus", [](int n, Index cells) { return meshes::grid_torus(n, cells); }, arg("dimension"), arg("cells"));
 }
 
 using Combine = MeshData (*)(const MeshData&, const MeshData&);
@@ -140,7 +153,9 @@ void bind_meshes(nb::module_& m) {
   m.def("suspension", &constructed<&meshes::suspension>, arg("a"));
   m.def(
       "barycentric_subdivision",
-      [](const AnyComplex& a) { return without_gil([&] { return AnyComplex(meshes::barycentric_subdivision(a.mesh())); }); },
+      [](const AnyComplex& a) {
+        return without_gil([&] { return AnyComplex(meshes::barycentric_subdivision(a.mesh())); });
+      },
       arg("a"));
 }
 

@@ -71,14 +71,15 @@ struct LocatorOf {
 class AnyLocator {
  public:
   explicit AnyLocator(const AnyComplex& any)
-      : locator_(any.with_metric<1>([]<int n>(const Body<n>& body) {
-          return Locators(std::make_shared<const LocatorOf<n>>(body));
-        })) {}
+      : locator_(any.with_metric<1>(
+            []<int n>(const Body<n>& body) { return Locators(std::make_shared<const LocatorOf<n>>(body)); })) {}
 
   /// The top simplex of every point, -1 outside, and barycentric coordinates.
   [[nodiscard]] auto locate(const Values& points) const {
     return std::visit(
-        [&](const auto& of) { return arrays_of_points(without_gil([&] { return of->locator.locate_all(span_of(points)); })); },
+        [&](const auto& of) {
+          return arrays_of_points(without_gil([&] { return of->locator.locate_all(span_of(points)); }));
+        },
         locator_);
   }
 
@@ -121,7 +122,8 @@ auto interpolate(const AnyComplex& any, int k, const Values& w, const Indices& s
         return W.at(PrimalForm<n, degree()>(*body.complex, copied(w)), std::span<const BarycentricPoint<n>>(points));
       });
     });
-    return owned(std::move(values), {count, static_cast<std::size_t>(binomial(body.geometry->coordinate_dimension(), k))});
+    return owned(std::move(values),
+                 {count, static_cast<std::size_t>(binomial(body.geometry->coordinate_dimension(), k))});
   });
 }
 
@@ -130,7 +132,9 @@ auto sharp(const AnyComplex& any, const std::string& kind, const Values& w) {
     const Geometry<n>& geometry = *body.geometry;
     auto vectors = without_gil([&] {
       const PrimalForm<n, 1> form(*body.complex, copied(w));
-      return kind == "pp" ? pp_sharp(geometry, form) : kind == "pd" ? pd_sharp(geometry, form) : whitney_sharp(geometry, form);
+      return kind == "pp"   ? pp_sharp(geometry, form)
+             : kind == "pd" ? pd_sharp(geometry, form)
+                            : whitney_sharp(geometry, form);
     });
     const auto d = static_cast<std::size_t>(geometry.coordinate_dimension());
     return owned(std::move(vectors), {vectors.size() / d, d});
@@ -142,7 +146,8 @@ auto flat(const AnyComplex& any, const std::string& kind, const Values& X) {
     return owned(without_gil([&] {
       const auto& K = *body.complex;
       if (kind == "dpd") return values_of(dpd_flat(K, *body.geometry, span_of(X)));
-      return values_of(kind == "dpp" ? dpp_flat(K, *body.geometry, span_of(X)) : ppp_flat(K, *body.geometry, span_of(X)));
+      return values_of(kind == "dpp" ? dpp_flat(K, *body.geometry, span_of(X))
+                                     : ppp_flat(K, *body.geometry, span_of(X)));
     }));
   });
 }
@@ -167,8 +172,8 @@ struct ConstantField {
 
 template <int n, class Field>
 std::vector<double> contraction(const Body<n>& body, int k, const Values& w, Field field, bool upwind, int order) {
-  const InteriorProduct<n, Field> i_X(*body.complex, *body.geometry, std::move(field), upwind ? Trace::upwind : Trace::mean,
-                                      order);
+  const InteriorProduct<n, Field> i_X(*body.complex, *body.geometry, std::move(field),
+                                      upwind ? Trace::upwind : Trace::mean, order);
   return with_constant<1, n>(k, "the degree k", [&](auto degree) {
     return values_of(i_X(PrimalForm<n, degree()>(*body.complex, copied(w))));
   });
@@ -180,11 +185,13 @@ auto contract_constant(const AnyComplex& any, int k, const Values& w, const Valu
   });
 }
 
-auto contract(const AnyComplex& any, int k, const Values& w, const nb::callable& X, bool upwind, int order) {
+auto contract(const AnyComplex& any, int k, const Values& w, const nb::typed<nb::callable, nb::object(nb::object)>& X,
+              bool upwind, int order) {
   return any.with_metric<1>([&](const auto& body) {
     const PythonField field{X, static_cast<std::size_t>(body.geometry->ambient_dimension())};
     return owned(without_gil([&] {
-      return contraction(body, k, w, [&field](std::span<const double> x) { return field(x); }, upwind, order);
+      return contraction(
+          body, k, w, [&field](std::span<const double> x) { return field(x); }, upwind, order);
     }));
   });
 }

@@ -24,7 +24,8 @@ namespace {
 /// By degree the free simplices and the prescribed ones; without facets the whole boundary is prescribed.
 auto form_space(const AnyComplex& any, const std::optional<Indices>& facets) {
   return any.visit<1, max_metric_dimension>([&]<int n>(const Body<n>& body) {
-    const FormSpace<n> space = facets ? FormSpace<n>(*body.complex, span_of(*facets)) : FormSpace<n>::relative(*body.complex);
+    const FormSpace<n> space =
+        facets ? FormSpace<n>(*body.complex, span_of(*facets)) : FormSpace<n>::relative(*body.complex);
     std::vector<std::pair<Array<Index>, Array<Index>>> result;
     for (int k = 0; k <= n; ++k) {
       const auto free = space.free(k), prescribed = space.prescribed(k);
@@ -72,9 +73,8 @@ class AnyRefinement {
 
  public:
   explicit AnyRefinement(const AnyComplex& any)
-      : refinement_(any.visit<1, 4>([]<int n>(const Body<n>& body) {
-          return Refinements(std::make_shared<const RefinementOf<n>>(body));
-        })),
+      : refinement_(any.visit<1, 4>(
+            []<int n>(const Body<n>& body) { return Refinements(std::make_shared<const RefinementOf<n>>(body)); })),
         coarse_mesh_(any.mesh()) {}
 
   /// The fine complex: that of the refinement itself, with the metric and the parts of the refined mesh.
@@ -85,8 +85,8 @@ class AnyRefinement {
       if (mesh.has_points() || mesh.has_corners())
         body.geometry = std::make_shared<const Geometry<n>>(Geometry<n>::from_mesh(*body.complex, mesh));
       else if (!mesh.edge_lengths_squared.empty())
-        body.geometry =
-            std::make_shared<const Geometry<n>>(Geometry<n>::from_squared_lengths(*body.complex, mesh.edge_lengths_squared));
+        body.geometry = std::make_shared<const Geometry<n>>(
+            Geometry<n>::from_squared_lengths(*body.complex, mesh.edge_lengths_squared));
       mesh.simplices = SimplexList();
       mesh.points = mesh.corners = {};
       AnyComplex fine(std::move(body));

@@ -212,7 +212,11 @@ class Operators(Topology, Metric):
         m, upwind = self.ambient_dimension, trace == "upwind"
         if callable(X):
             function = X
-            return self._core.contract(k, form, lambda x: np.ascontiguousarray(_values(function, x, m)), upwind, order)
+
+            def at(point: Any) -> Floats:
+                return np.ascontiguousarray(_values(function, point, m))
+
+            return self._core.contract(k, form, at, upwind, order)
         vector = float_array(X, "X")
         if vector.shape != (m,):
             raise InputError(f"X has shape {vector.shape}; expected a vector ({m},) or a function of points")

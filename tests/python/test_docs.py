@@ -12,10 +12,10 @@ import pytest
 ROOT = Path(__file__).parents[2]
 
 
-def printed(program: str) -> list[str]:
+def printed(program: str, path: str = "page") -> list[str]:
     out = io.StringIO()
     with contextlib.redirect_stdout(out):
-        exec(compile(program, "page", "exec"), {"__name__": "page"})  # noqa: S102
+        exec(compile(program, path, "exec"), {"__name__": "page", "__file__": path})  # noqa: S102
     return out.getvalue().splitlines()
 
 
@@ -38,3 +38,9 @@ def test_readme() -> None:
         return " ".join(lines).lower().replace(",", "").replace("-2.0", "-2").split()
 
     assert words(printed(program[1])) == words(output[1].splitlines())
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "examples" / "python").glob("*.py")), ids=lambda path: path.stem)
+def test_example(path: Path) -> None:
+    """Examples assert what they print."""
+    assert printed(path.read_text(), str(path))
