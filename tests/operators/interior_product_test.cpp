@@ -11,8 +11,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace derham {
@@ -223,6 +226,161 @@ TEST(UpwindTransport, IsOfFirstOrderInThePlane) {
   expect(std::integral_constant<int, 2>());
 }
 
+/// Flat boxes down to a millionth of their length, turned: X runs along edges whose direction is known to round-off only.
+TEST(UpwindTrace, FindsWhereXComesFromInThinTriangles) {
+  for (const double height : {1.0, 1e-3, 1e-4, 1e-5, 1e-6})
+    for (const double angle : {0.0, 0.3, 1.0}) {
+      const double c = std::cos(angle), s = std::sin(angle);
+      MeshData mesh = meshes::box({16, 16}, {.lengths = {1, height}});
+      for (std::size_t i = 0; i < mesh.points.size(); i += 2) {
+        const double x = mesh.points[i], y = mesh.points[i + 1];
+        mesh.points[i] = c * x - s * y;
+        mesh.points[i + 1] = s * x + c * y;
+      }
+      const Space<2> space(mesh);
+      PrimalForm<2, 0> f(space.K);
+      for (Index v = 0; v < f.size(); ++v) {
+        const auto at = 2 * static_cast<std::size_t>(v);
+        f[v] = c * mesh.points[at] + s * mesh.points[at + 1];
+      }
+      const InteriorProduct i_X(
+          space.K, space.g,
+          [c, s](Point) {
+            return Vector{c, s};
+          },
+          Trace::upwind, 0);
+      const auto along = lie_derivative(i_X, f);
+      for (Index v = 0; v < f.size(); ++v)
+        EXPECT_NEAR(along[v], f[v] < 1e-9 ? 0 : 1, 1e-6) << "height " << height << ", angle " << angle;
+    }
+}
+
+/// A disk of 24 sides in two rings, its first vertex in the middle.
+MeshData disk(double a, double b) {
+  constexpr Index sides = 24;
+  MeshData mesh;
+  mesh.simplices = SimplexList(2, {});
+  mesh.vertex_count = 1 + 2 * sides;
+  mesh.ambient_dimension = 2;
+  mesh.points = {0, 0};
+  for (int ring = 1; ring <= 2; ++ring)
+    for (int j = 0; j < sides; ++j) {
+      const double angle = 2 * std::numbers::pi * (j + 0.5 * ring) / sides;
+      mesh.points.push_back(a * ring / 2 * std::cos(angle));
+      mesh.points.push_back(b * ring / 2 * std::sin(angle));
+    }
+  for (Index j = 0; j < sides; ++j) {
+    const Index p = 1 + j, q = 1 + (j + 1) % sides;
+    mesh.simplices.push_back({0, p, q});
+    mesh.simplices.push_back({p, p + sides, q});
+    mesh.simplices.push_back({q, p + sides, q + sides});
+  }
+  return mesh;
+}
+
+/// X runs along the wall, from outside of the polygon at its vertices: no inflow.
+TEST(UpwindTrace, IsTakenFromInsideAtWalls) {
+  const MeshData mesh = disk(1, 1);
+  const Space<2> space(mesh);
+  const auto turning = [](Point x) { return Vector{-x[1], x[0]}; };
+  PrimalForm<2, 0> x(space.K);
+  for (Index v = 0; v < x.size(); ++v) x[v] = mesh.points[2 * static_cast<std::size_t>(v)];
+  for (const int order : {0, 1, 4}) {
+    const InteriorProduct i_X(space.K, space.g, turning, Trace::upwind, order);
+    const auto along = lie_derivative(i_X, x);
+    for (Index v = 0; v < x.size(); ++v)
+      EXPECT_NEAR(along[v], -mesh.points[2 * static_cast<std::size_t>(v) + 1], 1e-13);
+    auto f = x;  // a whole turn: it stays in its range
+    const double dt = i_X.cfl_bound();
+    for (double t = 0; t < 2 * std::numbers::pi; t += dt) f -= dt * lie_derivative(i_X, f);
+    EXPECT_LE(std::ranges::max(f.values()), 1.01);
+    EXPECT_GE(std::ranges::min(f.values()), -1.01);
+  }
+}
+
+/// An oblique field comes in through a part of the wall of a disk: there, and only there, values stay.
+TEST(UpwindTrace, IsZeroWhereXComesInThroughTheBoundary) {
+  const MeshData mesh = disk(2, 1);
+  const Space<2> space(mesh);
+  const Vector X{1, 0.1};
+  const InteriorProduct i_X(
+      space.K, space.g, [&X](Point) -> const Vector& { return X; }, Trace::upwind, 0);
+  PrimalForm<2, 0> x(space.K);
+  for (Index v = 0; v < x.size(); ++v) x[v] = mesh.points[2 * static_cast<std::size_t>(v)];
+  const auto along = lie_derivative(i_X, x);
+  int zeros = 0;
+  for (Index v = 0; v < x.size(); ++v) {
+    const auto at = 2 * static_cast<std::size_t>(v);
+    const double outwards = X[0] * mesh.points[at] / 4 + X[1] * mesh.points[at + 1];
+    if (v < 25) {
+      EXPECT_NEAR(along[v], 1, 1e-12);
+    } else if (std::abs(outwards) > 0.05) {
+      EXPECT_NEAR(along[v], outwards < 0 ? 0 : 1, 1e-12) << "vertex " << v;
+    }
+    zeros += along[v] == 0;
+  }
+  EXPECT_NEAR(zeros, 12, 1);
+}
+
+/// On a closed surface in space there is no boundary, and one of the tangential parts of X is taken everywhere.
+TEST(UpwindTrace, IsTakenFromTheNearestTriangleOnCurvedSurfaces) {
+  const SimplexList octahedron(2, {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5});
+  const SimplicialComplex<2> K(octahedron);
+  const auto g = Geometry<2>::from_points(K, {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1}, 3);
+  const Vector axis{0.3, 0.5, 0.8};
+  const InteriorProduct i_X(
+      K, g,
+      [&axis](Point x) {
+        return Vector{axis[1] * x[2] - axis[2] * x[1], axis[2] * x[0] - axis[0] * x[2],
+                      axis[0] * x[1] - axis[1] * x[0]};
+      },
+      Trace::upwind, 0);
+  const auto along = lie_derivative(i_X, PrimalForm<2, 0>(K, {1, -1, 0.2, -0.2, 0.3, -0.3}));
+  for (const double value : along.values()) EXPECT_GT(std::abs(value), 1e-3);
+  PrimalForm<2, 2> density(K, {1, 0, 0, 0, 0, 0, 0, 0});  // nothing is lost, nothing becomes negative
+  const double before = integral(density);
+  for (int step = 0; step < 20; ++step) {
+    density -= i_X.cfl_bound() * lie_derivative(i_X, density);
+    EXPECT_NEAR(integral(density), before, 1e-14);
+    for (Index t = 0; t < density.size(); ++t) EXPECT_GE(density[t] * before, -1e-15);
+  }
+}
+
+/// The trace of one form at one vertex is that of the top simplex that holds a point a little upstream.
+TYPED_TEST(InteriorProducts, UpwindIsTheValueALittleUpstream) {
+  constexpr int n = TypeParam::value;
+  const Space<n> space = torus<n>();
+  const InteriorProduct i_X(space.K, space.g, wavy<n>, Trace::upwind, 0);
+  const auto w = random_form<n, 1>(space.K, 1);
+  const auto image = i_X(w);
+  const Incidence tops = incidence(space.K, 0, n);
+  for (Index s = 0; s < image.size(); ++s) {
+    int holding = 0;
+    for (const Index t : tops[s]) {
+      const auto corners = space.g.corners(space.K, t);
+      const auto all = space.K.template simplex<n>(t);
+      const auto own = static_cast<std::size_t>(std::ranges::find(all, s) - all.begin());
+      const Vector X = wavy<n>(Point(corners[own], n));
+      SimplexFrame<n> frame(n);
+      frame.set(corners);
+      const auto rates = detail::barycentric_rates<n>(frame, X);
+      bool holds = true;
+      for (std::size_t v = 0; v <= n; ++v) holds = holds && (v == own || rates[v] <= 0);
+      if (!holds) continue;
+      ++holding;
+      detail::WhitneySimplex<n, 1> whitney(n);
+      whitney.set(space.g, w, t);
+      Vector lambda(n + 1), components(n);
+      lambda[own] = 1;
+      whitney.evaluate(lambda.data(), components.data());
+      double value = 0;
+      for (std::size_t c = 0; c < n; ++c) value += components[c] * X[c];
+      EXPECT_NEAR(image[s], value, 1e-11 * (1 + std::abs(value)));
+    }
+    EXPECT_EQ(holding, 1) << "vertex " << s;
+  }
+}
+
 /// One value by definition: the mean of what the Whitney form of w is on X and the edges of s, in the top simplices around.
 template <int n, int k>
 double slow_mean(const Space<n>& space, const PrimalForm<n, k>& w, Index s, int order) {
@@ -411,6 +569,33 @@ TEST(InteriorProductErrors, AreNamed) {
   const InteriorProduct short_one(
       space.K, space.g, [](Point) { return Vector{1}; }, Trace::mean, 1);
   EXPECT_THROW((void)short_one(PrimalForm<2, 1>(space.K)), InputError);
+}
+
+/// Whoever samples the field refuses a value that is not finite and says where.
+TEST(InteriorProductErrors, NameTheTopSimplexOfAValueThatIsNotFinite) {
+  const Space<2> space(test::generic_mesh<2>(1));
+  const auto expect_named = [](const auto& call) {
+    try {
+      call();
+      ADD_FAILURE() << "no error";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("2-simplex "), std::string::npos) << error.what();
+    }
+  };
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const Trace trace : {Trace::mean, Trace::upwind}) {
+      const InteriorProduct i_X(
+          space.K, space.g,
+          [bad](Point x) {
+            return Vector{1, x[0] > 0.5 ? bad : 1};
+          },
+          trace, 1);
+      expect_named([&] { (void)i_X.cfl_bound(); });
+      expect_named([&] { (void)i_X(PrimalForm<2, 1>(space.K)); });
+      expect_named([&] { (void)i_X(PrimalForm<2, 2>(space.K)); });
+      const Operator<PrimalForm<2, 1>, PrimalForm<2, 0>> A = i_X;
+      expect_named([&] { (void)A.matrix(); });
+    }
 }
 
 }  // namespace

@@ -1,17 +1,16 @@
 #pragma once
 
-#include "derham/core/error.hpp"
-#include "derham/core/text.hpp"
 #include "derham/geometry/geometry.hpp"
+#include "derham/operators/field_on_simplex.hpp"
+#include "derham/operators/inflow.hpp"
 #include "derham/operators/minors.hpp"
 #include "derham/operators/quadrature.hpp"
-#include "derham/operators/simplex_frame.hpp"
 #include "derham/operators/whitney_simplex.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,30 +19,11 @@ namespace derham {
 /// Which of the values on the top simplices around a simplex an interior product takes.
 enum class Trace : std::uint8_t {
   mean,   ///< their mean, weighted by volume
-  upwind  ///< that of the top simplex where X comes from; 0 where X comes in from outside
+  upwind  ///< that of the top simplex where X comes from, or nearest to there; 0 where X comes in from outside
 };
 
 // Internal to this room.
 namespace detail {
-
-template <int n>
-using Corners = std::array<const double*, static_cast<std::size_t>(n) + 1>;
-template <int n>
-using Barycentric = std::array<double, static_cast<std::size_t>(n) + 1>;
-
-/// X at a point of a simplex, written to `to`; x (d,) becomes the point.
-/// Throws   InputError if X has not d components
-template <int n, class Field>
-void evaluate_field(const Field& X, const Corners<n>& corners, const Barycentric<n>& lambda, std::span<double> x,
-                    double* to) {
-  for (std::size_t c = 0; c < x.size(); ++c) {
-    x[c] = 0;
-    for (std::size_t v = 0; v <= n; ++v) x[c] += lambda[v] * corners[v][c];
-  }
-  const auto& value = X(std::span<const double>(x));
-  if (value.size() != x.size()) throw InputError(text("a field of ", value.size(), " components; expected ", x.size()));
-  for (std::size_t c = 0; c < x.size(); ++c) to[c] = value[c];
-}
 
 /// The row of an interior product of k-forms for one (k-1)-simplex after another: what it weighs the values on k-simplices
 /// with. Keeps its room between calls.
@@ -61,16 +41,15 @@ class ContractionRow {
         columns_(subsets<k>(geometry.coordinate_dimension())), minors_(columns_.size()),
         vectors_(static_cast<std::size_t>(k) * d_), point_(d_) {}
 
-  /// The row of s, given the top simplices around it; a k-simplex of two of them stands there twice.
+  /// The row of s, given the top simplices around it and whether X comes in through a boundary facet around it; a
+  /// k-simplex of two top simplices stands there twice.
   template <class Field>
-  const std::vector<Entry>& of(const Field& X, Index s, std::span<const Index> tops) {
+  const std::vector<Entry>& of(const Field& X, Index s, std::span<const Index> tops, bool entered) {
     trials_.clear();
     for (const Index t : tops) try_top(X, s, t);
-    row_.clear();
     const std::size_t nodes = rule_.weights.size();
-    taken_.assign(nodes, 0);
-    for (std::size_t i = 0; i < trials_.size(); ++i)
-      if (takes(trials_[i])) taken_[i % nodes] += trials_[i].volume;
+    choose(nodes, entered);
+    row_.clear();
     for (std::size_t i = 0; i < tops.size(); ++i) append(tops[i], std::span(trials_).subspan(i * nodes, nodes));
     return row_;
   }
@@ -81,11 +60,28 @@ class ContractionRow {
   struct Trial {
     FaceArray<n, double> weights;
     double upstream, volume;
+    bool taken;
   };
 
-  [[nodiscard]] bool takes(const Trial& trial) const noexcept {
-    constexpr double parallel = 1e-12;  // a cosine: X runs along the facet
-    return trace_ == Trace::mean || trial.upstream <= parallel;
+  /// Whether the top simplex nearest to where X comes from, `least` away, is not where it comes from. What flows through a
+  /// facet (k = n) comes from one of its sides, or does not flow.
+  [[nodiscard]] static bool from_outside(double least, bool entered) noexcept {
+    return k == n ? least > 0 : entered && least > grazing;
+  }
+
+  /// Settles which trials are taken at every node, and their volume.
+  void choose(std::size_t nodes, bool entered) {
+    taken_.assign(nodes, 0);
+    for (std::size_t q = 0; q < nodes; ++q) {
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t i = q; i < trials_.size(); i += nodes) least = std::min(least, trials_[i].upstream);
+      const bool nothing = trace_ == Trace::upwind && from_outside(least, entered);
+      for (std::size_t i = q; i < trials_.size(); i += nodes) {
+        Trial& trial = trials_[i];
+        trial.taken = !nothing && (trace_ == Trace::mean || trial.upstream == least);
+        if (trial.taken) taken_[q] += trial.volume;
+      }
+    }
   }
 
   template <class Field>
@@ -100,7 +96,7 @@ class ContractionRow {
     for (const auto& point : rule_.points) {
       Barycentric<n> lambda{};
       for (std::size_t i = 0; i < k; ++i) lambda[place[i]] = point[i];
-      evaluate_field<n>(X, corners, lambda, point_, vectors_.data());
+      evaluate_field<n>(*complex_, t, X, corners, lambda, point_, vectors_.data());
       for (std::size_t c = 0; c < columns_.size(); ++c) minors_[c] = minor_of<k>(rows, columns_[c]);
       Trial& trial = trials_.emplace_back();
       whitney_.weights(lambda.data(), minors_.data(), trial.weights);
@@ -119,20 +115,14 @@ class ContractionRow {
     return result;
   }
 
-  /// The largest cosine of X with the ∇λ_v that vanish on s: not positive if X comes from inside.
+  /// The largest X·∇λ_v of those that vanish on s, as a part of what flows through: not positive if X comes from inside.
   [[nodiscard]] double upstream(const std::array<std::size_t, static_cast<std::size_t>(k)>& place) const {
-    const auto& frame = whitney_.frame();
-    double speed = 0, largest = -1;
-    for (std::size_t c = 0; c < d_; ++c) speed += vectors_[c] * vectors_[c];
-    speed = std::sqrt(speed);
-    for (std::size_t v = 0; v <= n; ++v) {
-      if (std::ranges::find(place, v) != place.end()) continue;
-      double along = 0, square = 0;
-      for (const double g : frame.gradients()[v]) square += g * g;
-      for (std::size_t c = 0; c < d_; ++c) along += vectors_[c] * frame.gradient(v, c);
-      largest = std::max(largest, speed > 0 ? along / (speed * std::sqrt(square)) : 0);
-    }
-    return largest;
+    const auto rates = barycentric_rates<n>(whitney_.frame(), std::span(vectors_).first(d_));
+    const double through = through_flow<n>(rates);
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t v = 0; v <= n; ++v)
+      if (std::ranges::find(place, v) == place.end()) largest = std::max(largest, rates[v]);
+    return through > 0 ? largest / through : 0;
   }
 
   /// The part of one top simplex, given what was found at the nodes.
@@ -141,7 +131,7 @@ class ContractionRow {
     for (const unsigned face : masks_of<n, k + 1>()) {
       double weight = 0;
       for (std::size_t q = 0; q < nodes.size(); ++q)
-        if (takes(nodes[q])) weight += rule_.weights[q] * nodes[q].volume / taken_[q] * nodes[q].weights[face];
+        if (nodes[q].taken) weight += rule_.weights[q] * nodes[q].volume / taken_[q] * nodes[q].weights[face];
       if (weight != 0)
         row_.push_back({index[face], weight * complex_->sign(k, index[face]) / static_cast<double>(factorial(k - 1))});
     }

@@ -8,13 +8,15 @@
 #include "derham/hodge/hodge_star.hpp"
 #include "derham/operators/contraction_row.hpp"
 #include "derham/operators/expression.hpp"
+#include "derham/operators/inflow.hpp"
+#include "derham/operators/leaving_rate.hpp"
 #include "derham/operators/not_flat.hpp"
 #include "derham/operators/wedge_operator.hpp"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
@@ -83,9 +85,14 @@ template <int n, Side other>
 /// geometry must outlive it.
 /// Maps     primal k-form -> primal (k-1)-form, k >= 1     Units   those of X times w over length
 /// Exact    for constant X and w, if the order is 0 or more; upwind not where X comes in through the boundary
-/// Invalid  i_X i_X = 0 holds for constants only, in the limit for others; upwind below degree n on curved surfaces in
-///          space, where no top simplex around a vertex or edge may be the one that X comes from
-/// Cost     C(n, k) ((order/2)+1)^(k-1) evaluations for every pair of a (k-1)-simplex and a top simplex around it
+/// Upwind   takes the top simplex with the smallest largest X·∇λ_v of the vertices v outside of the (k-1)-simplex, as a
+///          part of what flows through. Not positive where X comes from that simplex. Positive on walls of a convex
+///          domain and on curved surfaces: there the nearest is taken. 0 only if it is above 0.001 and X comes in through
+///          a boundary facet around, in the mean, with more than 0.001 of what flows through its top simplex; for k = n,
+///          if X comes from neither side
+/// Invalid  i_X i_X = 0 holds for constants only, in the limit for others
+/// Cost     C(n, k) ((order/2)+1)^(k-1) evaluations for every pair of a (k-1)-simplex and a top simplex around it. The
+///          first call of a degree makes the table of these pairs and finds where X comes in; kept, also by copies
 /// Source   Bossavit, "Extrusion, contraction: their discretization via Whitney forms", 2003; Heumann & Hiptmair,
 ///          "Eulerian and semi-Lagrangian methods for convection-diffusion for differential forms", 2011 (upwind);
 ///          Mullen et al., "Discrete Lie advection of differential forms", 2011 (finite volumes)
@@ -107,13 +114,13 @@ class InteriorProduct : public Symbol {
   InteriorProduct(const SimplicialComplex<n>&, Geometry<n>&&, Field, Trace, int) = delete;
 
   /// i_X w.
-  /// Throws   InputError if the form belongs to another complex, or a value of X has not m components
+  /// Throws   InputError if the form belongs to another complex, or a value of X has not m components or is not finite
   template <int k>
     requires(k >= 1)
   [[nodiscard]] PrimalForm<n, k - 1> operator()(const PrimalForm<n, k>& w) const {
     if (&w.complex() != complex_) throw InputError("the form and the interior product belong to different complexes");
     PrimalForm<n, k - 1> result(*complex_);
-    apply<k>(incidence(*complex_, k - 1, n), w.values(), result.values());
+    apply<k>(w.values(), result.values());
     return result;
   }
 
@@ -123,45 +130,54 @@ class InteriorProduct : public Symbol {
   [[nodiscard]] auto at() const {
     constexpr int k = F::degree;
     const auto i_X = std::make_shared<const InteriorProduct>(*this);
-    const auto tops = std::make_shared<const Incidence>(incidence(*complex_, k - 1, n));
     return Operator<F, PrimalForm<n, k - 1>>(
-        *complex_, *complex_, [i_X, tops](auto x, auto y) { i_X->template apply<k>(*tops, x, y); },
-        [i_X, tops] { return i_X->template matrix<k>(*tops); });
+        *complex_, *complex_, [i_X](auto x, auto y) { i_X->template apply<k>(x, y); },
+        [i_X] { return i_X->template matrix<k>(); });
   }
 
   /// The largest stable time step of w ← w - dt L_X w with upwind traces, Euler's method: below it no value of a density
   /// (k = n) on a top simplex becomes negative, and no function (k = 0) leaves the range of its neighbours. For the degrees
-  /// between it is a guide. Infinite where X = 0.
+  /// between it is a guide. Infinite where X = 0. Functions keep their range where X comes from a top simplex or from
+  /// outside, not exactly at walls and on curved surfaces.
   /// Units    time: length over that of X
   /// Cost     one pass over the top simplices
+  /// Throws   InputError naming a top simplex where a value of X has not m components or is not finite
   [[nodiscard]] double cfl_bound() const
     requires(n >= 1)
   {
-    const auto rule = simplex_rule<n - 1>(order_);
-    std::vector<double> rate(static_cast<std::size_t>(complex_->size(n)));
-    parallel_blocks(complex_->size(n), 128, [&](Offset begin, Offset end) {
-      SimplexFrame<n> frame(geometry_->coordinate_dimension());
-      std::vector<double> x(static_cast<std::size_t>(geometry_->coordinate_dimension()));
-      for (auto t = static_cast<Index>(begin); t < end; ++t)
-        rate[static_cast<std::size_t>(t)] = leaving_rate(t, rule, frame, x);
-    });
-    const double fastest = rate.empty() ? 0 : *std::ranges::max_element(rate);
+    const double fastest = detail::largest_leaving_rate(*complex_, *geometry_, field_, order_);
     return fastest > 0 ? 1 / fastest : std::numeric_limits<double>::infinity();
   }
 
  private:
+  /// What stands around the simplices of one degree.
+  struct Surroundings {
+    std::once_flag made;
+    Incidence tops;
+    std::vector<char> entered;  // detail::inflow, or empty if nobody asks
+
+    [[nodiscard]] bool enters(Index s) const { return !entered.empty() && entered[static_cast<std::size_t>(s)]; }
+  };
+
   template <int k>
-  [[nodiscard]] detail::ContractionRow<n, k> row() const {
-    return {*complex_, *geometry_, trace_, order_};
+  [[nodiscard]] const Surroundings& around() const {
+    Surroundings& result = (*around_)[k - 1];
+    std::call_once(result.made, [&] {
+      result.tops = incidence(*complex_, k - 1, n);
+      if (trace_ == Trace::upwind && k < n)
+        result.entered = detail::inflow<n, k - 1>(*complex_, *geometry_, field_, order_);
+    });
+    return result;
   }
 
   template <int k>
-  void apply(const Incidence& tops, std::span<const double> w, std::span<double> y) const {
+  void apply(std::span<const double> w, std::span<double> y) const {
+    const Surroundings& surroundings = around<k>();
     parallel_blocks(complex_->size(k - 1), 128, [&](Offset begin, Offset end) {
-      auto contraction = row<k>();
+      detail::ContractionRow<n, k> contraction(*complex_, *geometry_, trace_, order_);
       for (auto s = static_cast<Index>(begin); s < end; ++s) {
         double sum = 0;
-        for (const auto& [simplex, weight] : contraction.of(field_, s, tops[s]))
+        for (const auto& [simplex, weight] : contraction.of(field_, s, surroundings.tops[s], surroundings.enters(s)))
           sum += weight * w[static_cast<std::size_t>(simplex)];
         y[static_cast<std::size_t>(s)] = sum;
       }
@@ -169,36 +185,13 @@ class InteriorProduct : public Symbol {
   }
 
   template <int k>
-  [[nodiscard]] SparseMatrix matrix(const Incidence& tops) const {
-    auto contraction = row<k>();
+  [[nodiscard]] SparseMatrix matrix() const {
+    const Surroundings& surroundings = around<k>();
+    detail::ContractionRow<n, k> contraction(*complex_, *geometry_, trace_, order_);
     return detail::matrix_of_rows(complex_->size(k - 1), complex_->size(k), [&](Index s, auto&& add) {
-      for (const auto& [simplex, weight] : contraction.of(field_, s, tops[s])) add(simplex, weight);
+      for (const auto& [simplex, weight] : contraction.of(field_, s, surroundings.tops[s], surroundings.enters(s)))
+        add(simplex, weight);
     });
-  }
-
-  /// What leaves top simplex t in a unit of time, relative to what is there; at least X·∇λ_v at its vertices.
-  template <class Rule>
-  [[nodiscard]] double leaving_rate(Index t, const Rule& rule, SimplexFrame<n>& frame, std::vector<double>& x) const {
-    const auto corners = geometry_->corners(*complex_, t);
-    frame.set(corners);
-    std::vector<double> X(x.size());
-    const auto towards = [&](std::size_t v, const std::array<double, n + 1>& lambda) {
-      detail::evaluate_field<n>(field_, corners, lambda, x, X.data());
-      double along = 0;
-      for (std::size_t c = 0; c < x.size(); ++c) along += X[c] * frame.gradient(v, c);
-      return along;
-    };
-    double leaving = 0, largest = 0;
-    for (std::size_t v = 0; v <= n; ++v) {
-      std::array<double, n + 1> lambda{};
-      lambda[v] = 1;
-      largest = std::max(largest, towards(v, lambda));
-      for (std::size_t q = 0; q < rule.points.size(); ++q) {
-        for (std::size_t i = 0, at = 0; i <= n; ++i) lambda[i] = i == v ? 0 : rule.points[q][at++];
-        leaving += n * rule.weights[q] * std::max(0.0, -towards(v, lambda));
-      }
-    }
-    return std::max(leaving, largest);
   }
 
   const SimplicialComplex<n>* complex_;
@@ -206,6 +199,7 @@ class InteriorProduct : public Symbol {
   Field field_;
   Trace trace_;
   int order_;
+  std::shared_ptr<std::array<Surroundings, n>> around_ = std::make_shared<std::array<Surroundings, n>>();
 };
 
 /// L_X w = d i_X w + i_X dw, for an interior product i_X of any kind: Cartan's formula is the definition, so that
