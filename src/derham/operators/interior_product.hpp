@@ -138,7 +138,7 @@ class InteriorProduct : public Symbol {
   /// The largest stable time step of w ← w - dt L_X w with upwind traces, Euler's method: below it no value of a density
   /// (k = n) on a top simplex becomes negative, and no function (k = 0) leaves the range of its neighbours. For the degrees
   /// between it is a guide. Infinite where X = 0. Functions keep their range where X comes from a top simplex or from
-  /// outside, not exactly at walls and on curved surfaces.
+  /// outside; at walls and on curved surfaces they may leave it and, in long runs, grow.
   /// Units    time: length over that of X
   /// Cost     one pass over the top simplices
   /// Throws   InputError naming a top simplex where a value of X has not m components or is not finite
