@@ -1,6 +1,7 @@
 #include "derham/geometry/geometry.hpp"
 
 #include "derham/core/error.hpp"
+#include "derham/geometry/volumes.hpp"
 #include "derham/meshes/boxes.hpp"
 #include "geometry/mesh_kit.hpp"
 
@@ -9,6 +10,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace derham {
 namespace {
@@ -53,6 +56,48 @@ TEST(Geometry, CornersOfAMeshAreBroughtToSortedOrder) {
   }
   EXPECT_EQ(g.simplex_corners(K, 1, K.at({1, 2}).index), (std::vector<double>{10, 11, 20, 21}));
   EXPECT_EQ(g.simplex_corners(K, 0, 2), (std::vector<double>{20, 21}));
+}
+
+TEST(Geometry, FitsTheComplexItWasMadeForOnly) {
+  const MeshData mesh = meshes::box(2, 3, {.jitter = 0.2});
+  const SimplicialComplex<2> K(mesh.simplices), copy(mesh.simplices);
+  const auto g = Geometry<2>::from_mesh(K, mesh);
+  g.require_fits(copy);
+  std::vector<Index> turned(mesh.simplices.vertices().begin(), mesh.simplices.vertices().end());
+  for (Index& v : turned) v = mesh.vertex_count - 1 - v;
+  EXPECT_TRUE(mentions(message<InputError>([&] { g.require_fits(SimplicialComplex<2>(SimplexList(2, turned))); }),
+                       "other simplices"));
+  // As many vertices and triangles, another number of edges.
+  const SimplicialComplex<2> fan(SimplexList{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}),
+      pair(SimplexList{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {0, 1, 5}});
+  ASSERT_EQ(fan.size(0), pair.size(0));
+  ASSERT_EQ(fan.size(2), pair.size(2));
+  const auto points = Geometry<2>::from_points(fan, std::vector<double>{0, 0, 1, 0, 1, 1, 0, 1, -1, 1, -1, 0}, 2);
+  EXPECT_THROW(points.require_fits(pair), InputError);
+}
+
+// The surface of a regular tetrahedron, every triangle in a chart of its own, turned by `turn` more than the one before.
+Geometry<2> tetrahedron_in_charts(const SimplicialComplex<2>& K, double turn) {
+  std::vector<double> corners;
+  for (int t = 0; t < 4; ++t)
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, std::pair{1.0, 0.0}, std::pair{0.5, std::sqrt(3) / 2}}) {
+      corners.push_back(std::cos(turn * t) * x - std::sin(turn * t) * y);
+      corners.push_back(std::sin(turn * t) * x + std::cos(turn * t) * y);
+    }
+  return Geometry<2>::from_corners(K, corners, 2);
+}
+
+TEST(Geometry, KnowsWhetherVectorsOfDifferentSimplicesCompare) {
+  const MeshData mesh = meshes::periodic_box(2, 3);
+  const SimplicialComplex<2> torus(mesh.simplices);
+  const auto g = Geometry<2>::from_mesh(torus, mesh);
+  EXPECT_EQ(g.source(), MetricSource::corners);
+  EXPECT_TRUE(g.has_common_frame());
+  EXPECT_FALSE(Geometry<2>::from_squared_lengths(torus, squared_lengths(torus, g)).has_common_frame());
+  EXPECT_TRUE(Geometry<2>::from_points(two_triangles(), {0, 0, 1, 0, 0, 1, 1, 1}, 2).has_common_frame());
+  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}});
+  EXPECT_FALSE(tetrahedron_in_charts(K, 0).has_common_frame());
+  EXPECT_FALSE(tetrahedron_in_charts(K, 1).has_common_frame());
 }
 
 TEST(Geometry, RefusesWhatIsNotFiniteAndNamesTheVertex) {

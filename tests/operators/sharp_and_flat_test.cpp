@@ -244,5 +244,15 @@ TEST(SharpAndFlatErrors, WrongShapes) {
   EXPECT_THROW((void)ppp_flat(space.K, space.g, Vector(3)), InputError);
 }
 
+// Two triangles of a flat square, the second in a chart that is turned by a right angle.
+TEST(SharpAndFlatErrors, VectorsOfChartsThatAreTurned) {
+  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}, {1, 2, 3}});
+  const auto g = Geometry<2>::from_corners(K, {0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 1}, 2);
+  ASSERT_FALSE(g.has_common_frame());
+  EXPECT_THROW((void)pp_sharp(g, PrimalForm<2, 1>(K)), GeometryError);
+  EXPECT_THROW((void)ppp_flat(K, g, Vector(8)), GeometryError);
+  EXPECT_EQ(pd_sharp(g, PrimalForm<2, 1>(K)).size(), 4U);
+}
+
 }  // namespace
 }  // namespace derham

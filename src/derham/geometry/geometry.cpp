@@ -44,9 +44,32 @@ double squared_distance(const double* a, const double* b, int d) {
   return sum;
 }
 
-// Every edge must have the same length in all top simplices.
+// A hash of some top simplices, spread over the list.
 template <int n>
-void require_consistent(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
+std::size_t fingerprint_of(const SimplicialComplex<n>& K) {
+  constexpr Index samples = 1024;
+  std::size_t hash = 0xcbf29ce484222325;  // FNV-1a
+  const Index count = std::min(K.size(n), samples);
+  for (Index i = 0; i < count; ++i)
+    for (const Index v : K.simplex(n, static_cast<Index>(Offset{i} * K.size(n) / count)))
+      hash = (hash ^ static_cast<std::size_t>(v)) * 0x100000001b3;
+  return hash;
+}
+
+// Whether the edge between corners a and b is the same vector as the one from p to q, up to the rounding of coordinates.
+bool is_translated(const double* a, const double* b, const double* p, const double* q, int d, double allowed) {
+  double square = 0;
+  for (int c = 0; c < d; ++c) {
+    const double difference = (b[c] - a[c]) - (q[c] - p[c]);
+    square += difference * difference;
+  }
+  return std::sqrt(square) <= allowed;
+}
+
+// Every edge must have the same length in all top simplices. Whether it is the same vector, too.
+template <int n>
+bool require_consistent(const SimplicialComplex<n>& K, const Geometry<n>& geometry) {
+  bool common_frame = true;
   constexpr double tolerance = 1e-9;
   struct Known {
     double square = -1, roundoff = 0;
@@ -60,7 +83,8 @@ void require_consistent(const SimplicialComplex<n>& K, const Geometry<n>& geomet
       for (int b = a + 1; b <= n; ++b) {
         const Index e = index[(1U << a) | (1U << b)];
         auto& [known, there] = edges[static_cast<std::size_t>(e)];
-        const double square = squared_distance(corner[a], corner[b], geometry.coordinate_dimension());
+        const int d = geometry.coordinate_dimension();
+        const double square = squared_distance(corner[a], corner[b], d);
         if (known < 0) {
           known = square;
           there = here;
@@ -73,15 +97,24 @@ void require_consistent(const SimplicialComplex<n>& K, const Geometry<n>& geomet
                                    ": squared length ", std::setprecision(std::numeric_limits<double>::max_digits10),
                                    known, " in one top simplex, ", square, " in ", simplex_text(K, n, t),
                                    std::setprecision(3), "; they must agree to ", allowed));
+        const auto first = geometry.template corners<1>(K, e);
+        common_frame = common_frame && is_translated(corner[a], corner[b], first[0], first[1], d,
+                                                     tolerance * std::sqrt(largest) + 2 * roundoff);
       }
   }
+  return common_frame;
 }
 
 }  // namespace
 
 template <int n>
 Geometry<n>::Geometry(const SimplicialComplex<n>& K, MetricSource source, int width, std::vector<double> coordinates)
-    : source_(source), width_(width), vertices_(K.size(0)), tops_(K.size(n)), coordinates_(std::move(coordinates)) {
+    : source_(source),
+      width_(width),
+      fingerprint_(fingerprint_of(K)),
+      common_frame_(source == MetricSource::points),
+      coordinates_(std::move(coordinates)) {
+  for (int k = 0; k <= n; ++k) sizes_[static_cast<std::size_t>(k)] = K.size(k);
   double largest = 0;
   for (const double x : coordinates_) largest = std::max(largest, std::abs(x));
   if (largest > 0 && !(largest >= 0x1p-100 && largest <= 0x1p100))
@@ -92,7 +125,7 @@ Geometry<n>::Geometry(const SimplicialComplex<n>& K, MetricSource source, int wi
 template <int n>
 void Geometry<n>::find_carriers(const SimplicialComplex<n>& K) {
   for (int k = 0; k < n; ++k) carrier_[static_cast<std::size_t>(k)].resize(static_cast<std::size_t>(K.size(k)));
-  for (Index t = 0; t < tops_; ++t) {
+  for (Index t = 0; t < K.size(n); ++t) {
     const auto index = face_indices(K, t);
     for (unsigned mask = 1; mask < full_mask<n>; ++mask) {
       Carrier& carrier = carrier_[static_cast<std::size_t>(mask_degree(mask))][static_cast<std::size_t>(index[mask])];
@@ -127,7 +160,8 @@ Geometry<n> Geometry<n>::from_corners(const SimplicialComplex<n>& K, std::vector
                                "; positions must be finite"));
     }
   Geometry geometry(K, MetricSource::corners, m, std::move(corners));
-  if constexpr (n > 0) require_consistent(K, geometry);
+  geometry.common_frame_ = true;
+  if constexpr (n > 0) geometry.common_frame_ = require_consistent(K, geometry);
   return geometry;
 }
 
@@ -218,9 +252,14 @@ double Geometry<n>::roundoff(std::span<const double* const> corners) const noexc
 
 template <int n>
 void Geometry<n>::require_fits(const SimplicialComplex<n>& K) const {
-  if (K.size(0) != vertices_ || K.size(n) != tops_)
-    throw InputError(text("the geometry was made for a complex of ", vertices_, " vertices and ", tops_,
-                          " top simplices; this one has ", K.size(0), " and ", K.size(n)));
+  for (int k = 0; k <= n; ++k)
+    if (K.size(k) != sizes_[static_cast<std::size_t>(k)])
+      throw InputError(text("the geometry was made for a complex of ", sizes_[static_cast<std::size_t>(k)], " ", k,
+                            "-simplices; this one has ", K.size(k)));
+  if (fingerprint_of(K) != fingerprint_)
+    throw InputError(
+        "the geometry was made for a complex with other simplices, though as many; after renumbering make it anew from "
+        "the renumbered mesh");
 }
 
 template class Geometry<0>;

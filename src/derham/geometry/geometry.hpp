@@ -76,6 +76,11 @@ class Geometry {
   /// Whether top simplices have signed volumes: m = n and coordinates were given.
   [[nodiscard]] bool has_signed_volume() const noexcept { return source_ != MetricSource::lengths && width_ == n; }
 
+  /// Whether the vectors of different top simplices have the same coordinates, so that they can be added: with points, and with
+  /// corners whose charts differ by translations only, as in a periodic box, as far as edges that top simplices share show it.
+  /// Not with charts that are turned against each other, nor with lengths.
+  [[nodiscard]] bool has_common_frame() const noexcept { return common_frame_; }
+
   /// Positions of the vertices, shape (|V|, m) row-major; empty unless made from points.
   [[nodiscard]] std::span<const double> points() const noexcept {
     return source_ == MetricSource::points ? std::span<const double>(coordinates_) : std::span<const double>();
@@ -134,7 +139,8 @@ class Geometry {
     return source_ == MetricSource::lengths ? 0 : relative_coordinate_roundoff;
   }
 
-  /// Throws InputError unless this geometry was made for a complex with the lists of K.
+  /// Throws InputError unless this geometry was made for a complex with the lists of K: the sizes of all of them, and a sample
+  /// of a thousand top simplices, are compared.
   void require_fits(const SimplicialComplex<n>& K) const;
 
  private:
@@ -148,7 +154,9 @@ class Geometry {
 
   MetricSource source_;
   int width_;
-  Index vertices_, tops_;
+  std::array<Index, n + 1> sizes_{};  // of the complex
+  std::size_t fingerprint_ = 0;       // of its top simplices
+  bool common_frame_ = false;
   double unit_ = 1;
   std::vector<double> coordinates_;                  // (|V|, m), or (|K_n|, n+1, d)
   std::array<std::vector<Carrier>, n + 1> carrier_;  // [k < n]: the first top simplex of each; only without points

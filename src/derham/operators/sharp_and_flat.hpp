@@ -36,7 +36,7 @@ template <int n>
 /// Shape    (|V|, d)
 /// Exact    for constant forms, with weights of any sign, at the boundary too
 /// Invalid  tangentially on surfaces in space: a mean of vectors of different planes
-/// Throws   GeometryError if there are edge lengths only: then vectors of different simplices cannot be compared
+/// Throws   GeometryError unless geometry.has_common_frame(): vectors of different simplices cannot be compared else
 /// Source   Hirani 2003, definition 5.8.1
 template <int n>
   requires(n >= 1)
@@ -67,7 +67,7 @@ template <int n>
 /// PPP flat (primal field, linear on primal simplices, to primal form): ½ (X_a + X_b) · e on the edge from a to b.
 /// Shape    vectors (|V|, d)
 /// Exact    for linear fields; of second order for others
-/// Throws   GeometryError if there are edge lengths only
+/// Throws   GeometryError unless geometry.has_common_frame()
 /// Source   Hirani 2003, chapter 5
 template <int n>
   requires(n >= 1)
