@@ -23,7 +23,7 @@ auto fields_of(StarReport report) {
 
 auto report_of_star(const AnyStar& any, int k) {
   return any.visit<1>([k](const auto& star) {
-    return fields_of(without_gil([&] { return star_report(star->star, *star->body.geometry, k, star->material); }));
+    return fields_of(without_gil([&] { return star_report(star->star, *star->body.geometry, k); }));
   });
 }
 

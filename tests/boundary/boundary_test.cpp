@@ -93,6 +93,20 @@ TEST(Chain, CollectsTermsAndSigns) {
   EXPECT_EQ((2 * boundary(triangle) - boundary(triangle))({0, 1}), 1);
 }
 
+TEST(Chain, AddsItselfAndRefusesToOverflow) {
+  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}});
+  Chain<2, 1> c(K, {{0, 3}, {2, -1}});
+  c += c;
+  EXPECT_EQ(c, (Chain<2, 1>(K, {{0, 6}, {2, -2}})));
+  c -= c;
+  EXPECT_TRUE(c.is_zero());
+  Chain<2, 1> large(K, {{1, std::int64_t{1} << 62}});
+  EXPECT_THROW(large += large, LimitError);
+  EXPECT_THROW((void)(large + large), LimitError);
+  EXPECT_THROW((void)(4 * large), LimitError);
+  EXPECT_EQ(large, (Chain<2, 1>(K, {{1, std::int64_t{1} << 62}})));
+}
+
 TEST(FundamentalChain, NeedsAnOrientation) {
   const SimplicialComplex<2> moebius(SimplexList{{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}});
   EXPECT_FALSE(moebius.is_orientable());

@@ -138,6 +138,14 @@ TEST(DeRham, DensityOnASurfaceIsItsArea) {
   for (Index t = 0; t < one.size(); ++t) EXPECT_NEAR(one[t], area[static_cast<std::size_t>(t)], 1e-15);
 }
 
+TEST(DeRham, DensityOnACurveOfAnyScale) {
+  for (const double scale : {5e-170, 1.0, 5e160}) {
+    const SimplicialComplex<1> K(SimplexList{{0, 1}});
+    const auto geometry = Geometry<1>::from_points(K, {0, 0, 3 * scale, 4 * scale}, 2);
+    EXPECT_NEAR(DeRhamMap<1>(K, geometry, 0).density([](Point) { return 1.0; })[0] / scale, 5, 1e-14);
+  }
+}
+
 // 4π through any surface about the origin: Gauss's law.
 TEST(DeRham, ConvergesForSmoothFieldsWithTheOrder) {
   const Space<2> space(meshes::icosphere(2));

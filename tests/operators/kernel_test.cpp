@@ -19,7 +19,6 @@
 namespace derham {
 namespace {
 
-
 /// The torus of 2^(n+1) - 1 vertices: Z^n modulo the lattice that the generators 1, 2, 4, …, 2^n of Z_(2^(n+1)-1), whose sum is
 /// zero, are sums in; each cube cut into n! simplices. Kühnel & Lassmann, "Combinatorial d-tori", 1988.
 template <int n>

@@ -104,6 +104,8 @@ TEST(Quadrature, OfHighOrderStaysAccurate) {
 TEST(Quadrature, RefusesWhatIsNotThere) {
   EXPECT_THROW((void)simplex_rule<2>(-1), InputError);
   EXPECT_THROW((void)simplex_rule<4>(200), LimitError);
+  EXPECT_THROW((void)gauss_jacobi(0, 0), InputError);
+  EXPECT_THROW((void)gauss_jacobi(1, -1), InputError);
 }
 
 }  // namespace

@@ -95,8 +95,7 @@ TYPED_TEST(StarReports, PowerStarsAreConsistentAndBarycentricOnesAreWarnedAbout)
   const HodgeStar<n> power(torus.K, torus.g, PowerCircumcentric{weights}, twice),
       barycentric(torus.K, torus.g, Barycentric{}), lumped(torus.K, torus.g, Lumped{});
   for (int k = 0; k <= n; ++k) {
-    EXPECT_LT(star_report(power, torus.g, k, twice).constant_error, 1e-12);
-    EXPECT_GT(star_report(power, torus.g, k).constant_error, 0.9) << "another material";
+    EXPECT_LT(star_report(power, torus.g, k).constant_error, 1e-12) << "with its material";
     const auto report = star_report(barycentric, torus.g, k);
     EXPECT_EQ(report.definiteness, Definiteness::positive);
     const bool ends = k == 0 || k == n;
@@ -122,6 +121,49 @@ TEST(StarReports, DoNotCallIndefiniteMaterialsPositive) {
   const Material tensor{.values = {1, 0, 0, -1}, .width = 2};
   EXPECT_NE(star_report(whitney_mass(space.K, space.g, 1, tensor), space.K, space.g, 1, tensor).definiteness,
             Definiteness::positive);
+}
+
+TEST(StarReports, BlameTheMaterialWhereItIsNotPositive) {
+  const Space<2> space(meshes::box(2, 2));
+  for (const double number : {-1.0, 0.0}) {
+    const HodgeStar<2> star(space.K, space.g, Circumcentric{}, {.values = {number}});
+    const auto report = star_report(star, space.g, 0);
+    EXPECT_EQ(report.definiteness, Definiteness::not_positive);
+    EXPECT_NE(report.advice.find("the material is not positive"), std::string::npos) << report.advice;
+  }
+}
+
+// Triangles that halve thirty times: rounding in Lanczos' method must not make a positive mass look otherwise.
+TEST(StarReports, OfGradedMeshesAreNotFooledByRounding) {
+  MeshData strip;
+  strip.ambient_dimension = 2;
+  std::vector<Index> rows;
+  double x = 0, step = 1;
+  for (Index i = 0; i < 30; ++i, x += step, step /= 2) {
+    strip.points.insert(strip.points.end(), {x, 0.0, x, step});
+    if (i < 29) rows.insert(rows.end(), {2 * i, 2 * i + 2, 2 * i + 1, 2 * i + 1, 2 * i + 2, 2 * i + 3});
+  }
+  strip.vertex_count = 60;
+  strip.simplices = SimplexList(2, rows);
+  const Space<2> space(strip);
+  for (int k = 0; k <= 2; ++k) {
+    const auto M = whitney_mass(space.K, space.g, k);
+    const auto report = star_report(M, space.K, space.g, k);
+    EXPECT_EQ(report.definiteness, Definiteness::positive) << k;
+    EXPECT_GE(report.condition, (1 - 1e-12) * report.largest / report.smallest) << k;
+    EXPECT_EQ(report.advice.find("material"), std::string::npos) << report.advice;
+    if (k == 2) {  // diagonal
+      EXPECT_NEAR(report.condition * report.smallest / report.largest, 1, 1e-12);
+    }
+  }
+}
+
+TEST(StarReports, OfTheEmptyComplexAreEmpty) {
+  const SimplicialComplex<2> K(SimplexList(2, {}));
+  const auto g = Geometry<2>::from_points(K, {}, 2);
+  const auto report = star_report(HodgeStar<2>(K, g), g, 1);
+  EXPECT_TRUE(std::isinf(report.condition));
+  EXPECT_TRUE(report.advice.empty());
 }
 
 TEST(StarReports, RefuseWhatDoesNotFit) {

@@ -111,6 +111,12 @@ void expect_grid_spectrum(Index cells) {
     EXPECT_NEAR(lambda[static_cast<Eigen::Index>(i)], expected[i], 1e-12 * expected.back());
 }
 
+TEST(WeakLaplacianMatrix, OfTheEmptyComplexIsEmpty) {
+  const SimplicialComplex<2> K(SimplexList(2, {}));
+  const HodgeStar<2> star(K, Geometry<2>::from_points(K, {}, 2));
+  for (int k = 0; k <= 2; ++k) EXPECT_EQ(weak_laplace_de_rham(star, k).size(), 0);
+}
+
 TEST(KuhnTorus, HasTheSpectrumOfTheGrid) {
   expect_grid_spectrum<1>(12);
   expect_grid_spectrum<2>(8);

@@ -72,6 +72,13 @@ TEST(WedgeOperatorsOnSurfaces, OfDualOneForms) {
   expect_product<2, 1, Side::dual>(space.K, random_form<2, 1, Side::dual>(space.K, 1), in_order);
 }
 
+TEST(WedgeOperatorsOfDualFunctions, NeedAPureComplexAlsoAsMatrices) {
+  const SimplicialComplex<2> mixed(SimplexList{{0, 1, 2}, {2, 3}});
+  const Operator<DualForm<2, 0>, PrimalForm<2, 1>> A = WedgeWith(PrimalForm<2, 1>(mixed));
+  EXPECT_THROW((void)A(DualForm<2, 0>(mixed)), TopologyError);
+  EXPECT_THROW((void)A.matrix(), TopologyError);
+}
+
 /// d(a ∧ b) = da ∧ b + (-1)^p a ∧ db, as an equation of operators on a.
 TYPED_TEST(WedgeOperators, ObeyLeibniz) {
   constexpr int n = TypeParam::value;

@@ -4,8 +4,17 @@
 #include "derham/core/text.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace derham {
+namespace {
+
+[[noreturn]] void refuse_overflow(int k, Index simplex) {
+  throw LimitError(text("the coefficient of simplex ", simplex, " of degree ", k, " does not fit 64 bits"));
+}
+
+}  // namespace
 
 template <int n, int k>
 Chain<n, k>::Chain(const SimplicialComplex<n>& K, std::vector<Term> terms) : complex_(&K), terms_(std::move(terms)) {
@@ -20,8 +29,9 @@ void Chain<n, k>::add(std::span<const Index> alias, std::int64_t coefficient) {
   if (alias.size() != static_cast<std::size_t>(k) + 1)
     throw InputError(text(tuple_text(alias), " has ", alias.size(), " vertices; a simplex of this chain has ", k + 1));
   const SignedIndex found = complex_->at(alias);
-  terms_.push_back({found.index, found.sign * coefficient});
-  normalize();
+  auto terms = terms_;
+  terms.push_back({found.index, found.sign * coefficient});
+  *this = Chain(*complex_, std::move(terms));
 }
 
 template <int n, int k>
@@ -36,9 +46,11 @@ std::int64_t Chain<n, k>::operator()(std::initializer_list<Index> alias) const {
 template <int n, int k>
 Chain<n, k>& Chain<n, k>::operator+=(const Chain& other) {
   if (complex_ != other.complex_) throw InputError("the chains belong to different complexes");
-  terms_.insert(terms_.end(), other.terms_.begin(), other.terms_.end());
-  normalize();
-  return *this;
+  std::vector<Term> terms;
+  terms.reserve(terms_.size() + other.terms_.size());
+  std::ranges::copy(terms_, std::back_inserter(terms));
+  std::ranges::copy(other.terms_, std::back_inserter(terms));
+  return *this = Chain(*complex_, std::move(terms));
 }
 
 template <int n, int k>
@@ -48,8 +60,11 @@ Chain<n, k>& Chain<n, k>::operator-=(const Chain& other) {
 
 template <int n, int k>
 Chain<n, k>& Chain<n, k>::operator*=(std::int64_t factor) {
-  for (Term& term : terms_) term.coefficient *= factor;
-  if (factor == 0) terms_.clear();
+  auto terms = terms_;
+  for (Term& term : terms)
+    if (__builtin_mul_overflow(term.coefficient, factor, &term.coefficient)) refuse_overflow(k, term.simplex);
+  if (factor == 0) terms.clear();
+  terms_ = std::move(terms);
   return *this;
 }
 
@@ -59,7 +74,9 @@ void Chain<n, k>::normalize() {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < terms_.size();) {
     Term sum = terms_[i];
-    for (++i; i < terms_.size() && terms_[i].simplex == sum.simplex; ++i) sum.coefficient += terms_[i].coefficient;
+    for (++i; i < terms_.size() && terms_[i].simplex == sum.simplex; ++i)
+      if (__builtin_add_overflow(sum.coefficient, terms_[i].coefficient, &sum.coefficient))
+        refuse_overflow(k, sum.simplex);
     if (sum.coefficient != 0) terms_[kept++] = sum;
   }
   terms_.resize(kept);

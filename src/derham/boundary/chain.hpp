@@ -50,7 +50,7 @@ class Chain {
   [[nodiscard]] std::span<const Term> terms() const noexcept { return terms_; }
   [[nodiscard]] bool is_zero() const noexcept { return terms_.empty(); }
 
-  /// Sums and multiples. Throws InputError for chains of different complexes.
+  /// Sums and multiples. Throws InputError for chains of different complexes, LimitError where a coefficient exceeds 64 bits.
   Chain& operator+=(const Chain& other);
   Chain& operator-=(const Chain& other);
   Chain& operator*=(std::int64_t factor);

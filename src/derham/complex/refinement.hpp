@@ -13,7 +13,8 @@ namespace derham {
 /// The edgewise subdivision of a complex K: every k-simplex is cut into 2^k by the midpoints of its edges, n = 1 to 4. It
 /// needs no coordinates and no manifold; the order of the vertices decides between the diagonals, so that simplices cut a
 /// common face alike. In dimension 2 it is the red refinement. In flat simplices all pieces have the same volume, and
-/// those of repeated refinements at most n!/2 shapes. K must outlive it.
+/// those of repeated refinements at most n!/2 shapes. K must outlive it. It stays where it is made, neither copied nor moved: the
+/// next refinement, forms and operators refer to its fine complex. Orient K before: the pieces do not turn with it later.
 ///
 /// Fine vertices are numbered in the lexicographic order of their two ends, a vertex of K being its own ends: so that the
 /// order of the next refinement is that of this one, and what is near has near numbers. The pieces of top simplex t are the
@@ -29,9 +30,13 @@ class Refinement {
   /// Throws   LimitError if the fine lists overflow Index
   explicit Refinement(const SimplicialComplex<n>& K);
   explicit Refinement(SimplicialComplex<n>&&) = delete;
+  Refinement(const Refinement&) = delete;
+  Refinement& operator=(const Refinement&) = delete;
+  ~Refinement() = default;
 
   [[nodiscard]] const SimplicialComplex<n>& coarse() const noexcept { return *coarse_; }
-  [[nodiscard]] const SimplicialComplex<n>& fine() const noexcept { return fine_; }
+  [[nodiscard]] const SimplicialComplex<n>& fine() const& noexcept { return fine_; }
+  void fine() const&& = delete;
 
   /// The fine vertex at a vertex of K.
   [[nodiscard]] Index vertex(Index coarse_vertex) const noexcept {

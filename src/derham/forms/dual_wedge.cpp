@@ -98,8 +98,7 @@ void detail::scale_by_vertex_means(const SimplicialComplex<n>& K, int k, std::sp
 template <int n>
 void detail::scale_by_top_means(const SimplicialComplex<n>& K, int k, std::span<const double> g,
                                 std::span<const double> x, std::span<double> y) {
-  if (!K.is_pure())
-    throw TopologyError("a simplex that belongs to no top simplex has no dual cell; the product needs a pure complex");
+  require_tops_about_all(K);
   std::vector<double> sum(y.size());
   std::vector<Index> tops(y.size());
   with_degree<0, n>(k, [&]<int m>(std::integral_constant<int, m>) {

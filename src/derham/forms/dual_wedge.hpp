@@ -35,6 +35,12 @@ namespace detail {
 template <int n>
 void scale_by_vertex_means(const SimplicialComplex<n>& K, int k, std::span<const double> f, std::span<const double> x,
                            std::span<double> y);
+/// Throws   TopologyError unless K is pure
+template <int n>
+void require_tops_about_all(const SimplicialComplex<n>& K) {
+  if (!K.is_pure())
+    throw TopologyError("a simplex that belongs to no top simplex has no dual cell; the product needs a pure complex");
+}
 /// y_i = x_i times the mean of g over the top simplices that contain k-simplex i. Throws TopologyError unless K is pure.
 template <int n>
 void scale_by_top_means(const SimplicialComplex<n>& K, int k, std::span<const double> g, std::span<const double> x,

@@ -109,10 +109,7 @@ bool require_consistent(const SimplicialComplex<n>& K, const Geometry<n>& geomet
 
 template <int n>
 Geometry<n>::Geometry(const SimplicialComplex<n>& K, MetricSource source, int width, std::vector<double> coordinates)
-    : source_(source),
-      width_(width),
-      fingerprint_(fingerprint_of(K)),
-      common_frame_(source == MetricSource::points),
+    : source_(source), width_(width), fingerprint_(fingerprint_of(K)), common_frame_(source == MetricSource::points),
       coordinates_(std::move(coordinates)) {
   for (int k = 0; k <= n; ++k) sizes_[static_cast<std::size_t>(k)] = K.size(k);
   double largest = 0;

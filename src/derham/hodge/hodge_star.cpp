@@ -120,7 +120,7 @@ HodgeStar<n>::HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geomet
 template <int n>
 HodgeStar<n>::HodgeStar(const SimplicialComplex<n>& K, const Geometry<n>& geometry, StarKind kind,
                         const Material& material)
-    : complex_(&K), kind_(std::move(kind)) {
+    : complex_(&K), kind_(std::move(kind)), material_(material) {
   const bool has_material = material.width != 0 || material.values != std::vector<double>{1.0};
   if (std::holds_alternative<Circumcentric>(kind_) && !has_material) {
     *this = HodgeStar(K, geometry);

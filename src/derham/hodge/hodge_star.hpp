@@ -39,6 +39,7 @@ class HodgeStar {
 
   [[nodiscard]] const SimplicialComplex<n>& complex() const noexcept { return *complex_; }
   [[nodiscard]] const StarKind& kind() const noexcept { return kind_; }
+  [[nodiscard]] const Material& material() const noexcept { return material_; }
 
   /// The diagonal of degree k, shape (|K_k|,). Throws InputError unless 0 <= k <= n, and k is 0 or n if the star is lumped.
   [[nodiscard]] std::span<const double> diagonal(int k) const;
@@ -100,6 +101,7 @@ class HodgeStar {
 
   const SimplicialComplex<n>* complex_;
   StarKind kind_;
+  Material material_;
   ByDegree<n> diagonal_;
 };
 

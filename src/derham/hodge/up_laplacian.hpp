@@ -35,6 +35,7 @@ class UpLaplacian {
       : UpLaplacian(star.complex(), k, star.diagonal(k + 1)) {}
 
   UpLaplacian(SimplicialComplex<n>&&, int, std::span<const double>) = delete;
+  UpLaplacian(const SimplicialComplex<n>&, int, std::vector<double>&&) = delete;  // weights must outlive it, too
   UpLaplacian(HodgeStar<n>&&, int) = delete;
 
   [[nodiscard]] int degree() const noexcept { return degree_; }

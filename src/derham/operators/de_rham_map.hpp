@@ -175,10 +175,11 @@ class DeRhamMap {
     /// k! volume in R^m.
     [[nodiscard]] double content(int m) const {
       std::vector<double> used_up(data, data + k * m);
+      const double unit = normalize(used_up);  // squares stay in the range of doubles
       TriangularMatrix<k> r;
       triangularize<k>(used_up.data(), m, r);
       double product = 1;
-      for (std::size_t i = 0; i < k; ++i) product *= r[i][i];
+      for (std::size_t i = 0; i < k; ++i) product *= r[i][i] * unit;
       return product;
     }
   };

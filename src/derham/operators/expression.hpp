@@ -150,10 +150,6 @@ inline constexpr bool is_symbol = std::derived_from<T, Symbol>;
 template <int n>
 inline constexpr bool is_symbol<HodgeStar<n>> = true;
 
-/// Two parts of which one at least has no degree yet.
-template <class A, class B>
-concept Symbols = (is_symbol<A> && (is_symbol<B> || is_operator<B>)) || (is_operator<A> && is_symbol<B>);
-
 }  // namespace detail
 
 /// How an operator or a symbol is kept in an expression: as it is, and a Hodge star by reference.
@@ -166,37 +162,45 @@ template <int n>
 [[nodiscard]] detail::Star<n> operator_part(const HodgeStar<n>& star) {
   return {&star};
 }
+template <int n>
+void operator_part(const HodgeStar<n>&&) = delete;  // a star must outlive the expression
 
 namespace detail {
 template <class T>
-using Part = std::decay_t<decltype(operator_part(std::declval<const T&>()))>;
-}
+using Part = std::decay_t<decltype(operator_part(std::declval<T>()))>;
+
+template <class T>
+concept SymbolPart = is_symbol<std::remove_cvref_t<T>>;
+
+/// Two parts of which one at least has no degree yet.
+template <class A, class B>
+concept Symbols = (SymbolPart<A> && (SymbolPart<B> || is_operator<std::remove_cvref_t<B>>)) ||
+                  (is_operator<std::remove_cvref_t<A>> && SymbolPart<B>);
+}  // namespace detail
 
 /// Composition (first A), sums, differences and multiples of expressions.
 template <class B, class A>
   requires detail::Symbols<B, A>
-[[nodiscard]] detail::Composed<detail::Part<B>, detail::Part<A>> operator*(const B& b, const A& a) {
-  return {operator_part(b), operator_part(a)};
+[[nodiscard]] detail::Composed<detail::Part<B>, detail::Part<A>> operator*(B&& b, A&& a) {
+  return {operator_part(std::forward<B>(b)), operator_part(std::forward<A>(a))};
 }
 template <class A, class B>
   requires detail::Symbols<A, B>
-[[nodiscard]] detail::Added<detail::Part<A>, detail::Part<B>> operator+(const A& a, const B& b) {
-  return {operator_part(a), operator_part(b), 1};
+[[nodiscard]] detail::Added<detail::Part<A>, detail::Part<B>> operator+(A&& a, B&& b) {
+  return {operator_part(std::forward<A>(a)), operator_part(std::forward<B>(b)), 1};
 }
 template <class A, class B>
   requires detail::Symbols<A, B>
-[[nodiscard]] detail::Added<detail::Part<A>, detail::Part<B>> operator-(const A& a, const B& b) {
-  return {operator_part(a), operator_part(b), -1};
+[[nodiscard]] detail::Added<detail::Part<A>, detail::Part<B>> operator-(A&& a, B&& b) {
+  return {operator_part(std::forward<A>(a)), operator_part(std::forward<B>(b)), -1};
 }
-template <class A>
-  requires detail::is_symbol<A>
-[[nodiscard]] detail::Scaled<detail::Part<A>> operator*(double factor, const A& a) {
-  return {factor, operator_part(a)};
+template <detail::SymbolPart A>
+[[nodiscard]] detail::Scaled<detail::Part<A>> operator*(double factor, A&& a) {
+  return {factor, operator_part(std::forward<A>(a))};
 }
-template <class A>
-  requires detail::is_symbol<A>
-[[nodiscard]] detail::Scaled<detail::Part<A>> operator-(const A& a) {
-  return {-1, operator_part(a)};
+template <detail::SymbolPart A>
+[[nodiscard]] detail::Scaled<detail::Part<A>> operator-(A&& a) {
+  return {-1, operator_part(std::forward<A>(a))};
 }
 
 }  // namespace derham

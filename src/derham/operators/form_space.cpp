@@ -36,13 +36,13 @@ FormSpace<n> FormSpace<n>::relative(const SimplicialComplex<n>& K) {
 }
 
 template <int n>
-std::span<const Index> FormSpace<n>::free(int k) const {
+std::span<const Index> FormSpace<n>::free(int k) const& {
   require_degree(k);
   return free_[static_cast<std::size_t>(k)];
 }
 
 template <int n>
-std::span<const Index> FormSpace<n>::prescribed(int k) const {
+std::span<const Index> FormSpace<n>::prescribed(int k) const& {
   require_degree(k);
   return prescribed_[static_cast<std::size_t>(k)];
 }

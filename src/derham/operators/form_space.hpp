@@ -28,6 +28,7 @@ class FormSpace {
 
   /// Γ is the whole boundary: the facets with one coface (relative).
   [[nodiscard]] static FormSpace relative(const SimplicialComplex<n>& K);
+  static FormSpace relative(SimplicialComplex<n>&&) = delete;
 
   FormSpace(SimplicialComplex<n>&&) = delete;
   FormSpace(SimplicialComplex<n>&&, std::span<const Index>) = delete;
@@ -36,8 +37,10 @@ class FormSpace {
 
   /// The k-simplices that are not in Γ, increasing: the unknowns; and those in Γ.
   /// Throws   InputError unless 0 <= k <= n
-  [[nodiscard]] std::span<const Index> free(int k) const;
-  [[nodiscard]] std::span<const Index> prescribed(int k) const;
+  [[nodiscard]] std::span<const Index> free(int k) const&;
+  [[nodiscard]] std::span<const Index> prescribed(int k) const&;
+  void free(int) const&& = delete;
+  void prescribed(int) const&& = delete;
 
   /// Eᵀw: the values on the free simplices.
   /// Shape    (|free(k)|,)
@@ -65,8 +68,8 @@ class FormSpace {
     return extended(x, PrimalForm<n, k>(*complex_));
   }
 
-  /// E as a matrix: extension by zero. The operator A on these forms is E_jᵀ A E_k, and a system A x = b with data g
-  /// becomes EᵀAE x = Eᵀ(b - A g).
+  /// E as a matrix: extension by zero. d, a mass, dᵀ⋆d or Robin terms A are E_jᵀ A E_k on these forms, and a system A x = b with
+  /// data g becomes EᵀAE x = Eᵀ(b - A g). Not so what has a δ inside: weak_laplace_de_rham(star, space, k).
   /// Shape    |K_k| × |free(k)|
   [[nodiscard]] SparseMatrix extension(int k) const;
 

@@ -138,6 +138,7 @@ void multiply(const SparseMatrix& A, Values x, Result y) {
 }
 
 SparseMatrix diagonal_matrix(std::span<const double> diagonal) {
+  if (diagonal.empty()) return SparseMatrix(0, 0);  // Eigen 3.4 reads the first column of none
   const Eigen::Map<const Eigen::VectorXd> entries(diagonal.data(), static_cast<Eigen::Index>(diagonal.size()));
   return SparseMatrix(entries.asDiagonal());
 }

@@ -41,11 +41,13 @@ class Operator {
 
   /// What an expression means on forms of type From (expression.hpp); it must end in forms of type To.
   template <class Expression>
-    requires requires(const Expression& expression) {
-      { operator_part(expression).template at<Domain>() } -> std::same_as<Operator<Domain, Codomain>>;
+    requires(!std::same_as<std::remove_cvref_t<Expression>, Operator>) && requires(Expression&& expression) {
+      {
+        operator_part(std::forward<Expression>(expression)).template at<Domain>()
+      } -> std::same_as<Operator<Domain, Codomain>>;
     }
-  Operator(const Expression& expression)  // NOLINT(google-explicit-constructor): as a formula is written
-      : Operator(operator_part(expression).template at<From>()) {}
+  Operator(Expression&& expression)  // NOLINT(google-explicit-constructor): as a formula is written
+      : Operator(operator_part(std::forward<Expression>(expression)).template at<From>()) {}
 
   /// A w.
   /// Throws   InputError if the form is of another complex; and what the parts throw
@@ -126,5 +128,7 @@ template <class F>
 [[nodiscard]] Operator<F, F> identity(const SimplicialComplex<F::dimension>& K) {
   return Operator<F, F>(K, K, detail::identity_map(F(K).size()));
 }
+template <class F>
+void identity(const SimplicialComplex<F::dimension>&&) = delete;
 
 }  // namespace derham

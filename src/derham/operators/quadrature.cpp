@@ -42,6 +42,8 @@ double christoffel_number(const Recurrence& r, double x) {
 }  // namespace
 
 GaussRule gauss_jacobi(int count, int a) {
+  if (count < 1 || a < 0)
+    throw InputError(text("a Gauss rule of ", count, " points for the exponent ", a, "; needs count >= 1 and a >= 0"));
   const Recurrence r = jacobi_recurrence(count, a);
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
   solver.computeFromTridiagonal(r.diagonal, r.beside, Eigen::EigenvaluesOnly);

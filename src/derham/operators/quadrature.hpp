@@ -31,7 +31,8 @@ struct GaussRule {
 };
 
 /// Nodes are eigenvalues of the matrix of the recurrence of Jacobi polynomials, weights reciprocal sums of squares of the
-/// orthonormal polynomials there. Exact up to degree 2 count - 1. Needs count >= 1, a >= 0.
+/// orthonormal polynomials there. Exact up to degree 2 count - 1.
+/// Throws   InputError unless count >= 1 and a >= 0
 /// Source   Golub & Welsch, "Calculation of Gauss quadrature rules", 1969
 [[nodiscard]] GaussRule gauss_jacobi(int count, int a);
 

@@ -32,12 +32,11 @@ void require(const SimplicialComplex<n>& K, const Geometry<n>& geometry, std::sp
 template <int n>
 void require_comparable(const Geometry<n>& geometry) {
   if (geometry.has_common_frame()) return;
-  throw GeometryError(
-      text("vectors at vertices are means over top simplices, but ",
-           geometry.source() == MetricSource::lengths
-               ? "the geometry has edge lengths only, and so every top simplex a frame of its own"
-               : "the charts of the top simplices are turned against each other",
-           "; use vectors per top simplex"));
+  throw GeometryError(text("vectors at vertices are means over top simplices, but ",
+                           geometry.source() == MetricSource::lengths
+                               ? "the geometry has edge lengths only, and so every top simplex a frame of its own"
+                               : "the charts of the top simplices are turned against each other",
+                           "; use vectors per top simplex"));
 }
 
 /// Body(t, shares, frame) for every top simplex, on all threads.

@@ -56,7 +56,8 @@ template <int n>
 
 /// DPD flat (dual field, constant on primal top simplices, to dual form): the integral along the dual edges, Σ X_T · piece.
 /// Shape    vectors (|K_n|, d)
-/// Exact    for constant fields: (-1)^(n-1) ⋆ of the flux; at the boundary along the half edge inside
+/// Exact    for constant fields: (-1)^(n-1) ⋆ of the flux if K is oriented by volume, minus that if it is turned over; at the
+///          boundary along the half edge inside
 /// Throws   TopologyError if K is not orientable: dual edges have no direction then
 /// Source   Hirani 2003, chapter 5
 template <int n>

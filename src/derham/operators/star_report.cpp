@@ -119,6 +119,10 @@ std::string ill_conditioned(double condition) {
              : std::string();
 }
 
+constexpr const char* material_not_positive =
+    "the material is not positive on every top simplex: there may be no energy; solve with a factorisation for "
+    "indefinite matrices";
+
 /// The warning of a barycentric star.
 template <int n>
 std::string inconsistent(const StarKind& kind, int k, double error) {
@@ -146,20 +150,23 @@ std::string diagonal_advice(const SimplicialComplex<n>& K, const StarReport& rep
 }  // namespace
 
 template <int n>
-StarReport star_report(const HodgeStar<n>& star, const Geometry<n>& geometry, int k, const Material& material) {
+StarReport star_report(const HodgeStar<n>& star, const Geometry<n>& geometry, int k) {
   require_degree(n, k);
   const auto& K = star.complex();
   geometry.require_fits(K);
-  require_fits(material, K, geometry);
   const VectorXd diagonal = Eigen::Map<const VectorXd>(star.diagonal(k).data(), K.size(k));
   StarReport report = of_diagonal(k, diagonal);
+  if (diagonal.size() == 0) return report;
   if (report.definiteness != Definiteness::not_positive) {
     report.definiteness = Definiteness::positive;
     report.condition = report.largest / report.smallest;
   }
-  report.constant_error = constant_error(
-      K, geometry, k, material, [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd { return diagonal.asDiagonal() * x; });
+  report.constant_error =
+      constant_error(K, geometry, k, star.material(),
+                     [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd { return diagonal.asDiagonal() * x; });
   report.advice = inconsistent<n>(star.kind(), k, report.constant_error);
+  if (report.advice.empty() && report.definiteness == Definiteness::not_positive && !is_positive(star.material()))
+    report.advice = material_not_positive;
   if (report.advice.empty()) report.advice = diagonal_advice(K, report);
   return report;
 }
@@ -175,25 +182,23 @@ StarReport star_report(const Eigen::SparseMatrix<double, Eigen::RowMajor>& mass,
         text("a matrix of ", mass.rows(), " × ", mass.cols(), " for ", K.size(k), " simplices of degree ", k));
   StarReport report = of_diagonal(k, mass.diagonal());
   if (mass.rows() == 0) return report;
+  const bool sound = is_positive(material);
   const auto [low, high] = extreme_ritz_values(mass);
-  if (low <= 0)
-    report.definiteness = Definiteness::not_positive;
-  else if (report.definiteness != Definiteness::not_positive && is_positive(material))
+  if (sound)
     report.definiteness = Definiteness::positive;
-  if (report.definiteness != Definiteness::not_positive) report.condition = high / low;
+  else if (low <= 0)
+    report.definiteness = Definiteness::not_positive;
+  // Entries of the diagonal lie within the spectrum. A Ritz value that is not positive though all eigenvalues are is rounding.
+  const double smallest = sound && low <= 0 ? report.smallest : std::min(low, report.smallest);
+  if (report.definiteness != Definiteness::not_positive) report.condition = std::max(high, report.largest) / smallest;
   report.constant_error =
       constant_error(K, geometry, k, material, [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd { return mass * x; });
-  if (report.definiteness == Definiteness::positive)
-    report.advice = ill_conditioned(report.condition);
-  else
-    report.advice =
-        "the material is not positive on every top simplex: there may be no energy; solve with a "
-        "factorisation for indefinite matrices";
+  report.advice = sound ? ill_conditioned(report.condition) : material_not_positive;
   return report;
 }
 
 #define DERHAM_INSTANTIATE(n)                                                                                       \
-  template StarReport star_report(const HodgeStar<n>&, const Geometry<n>&, int, const Material&);                   \
+  template StarReport star_report(const HodgeStar<n>&, const Geometry<n>&, int);                                    \
   template StarReport star_report(const Eigen::SparseMatrix<double, Eigen::RowMajor>&, const SimplicialComplex<n>&, \
                                   const Geometry<n>&, int, const Material&);
 DERHAM_INSTANTIATE(1)

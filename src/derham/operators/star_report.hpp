@@ -30,8 +30,8 @@ struct StarReport {
   double smallest = 0;          ///< entry of the diagonal; units length^(n-2k)
   double largest = 0;
 
-  /// Largest over smallest eigenvalue: exact for diagonals, from below for matrices (40 steps of Lanczos); infinite unless all
-  /// eigenvalues that were met are positive.
+  /// Largest over smallest eigenvalue: exact for diagonals, from below for matrices (the diagonal, and 40 steps of Lanczos);
+  /// infinite unless all eigenvalues that were met are positive.
   double condition = std::numeric_limits<double>::infinity();
 
   /// The largest error of the products of the constant forms dx^I, over |M|: 0 up to rounding says that the star is
@@ -43,15 +43,14 @@ struct StarReport {
   std::string advice;
 };
 
-/// Judges the diagonal of degree k of a star of any kind that was made with the same geometry and material.
+/// Judges the diagonal of degree k of a star of any kind and material that was made with the same geometry.
 /// Cost     a few passes over the k-simplices
-/// Throws   InputError unless 0 <= k <= n, the star has this degree, and geometry and material belong to its complex
+/// Throws   InputError unless 0 <= k <= n, the star has this degree, and the geometry belongs to its complex
 template <int n>
-[[nodiscard]] StarReport star_report(const HodgeStar<n>& star, const Geometry<n>& geometry, int k,
-                                     const Material& material = {});
+[[nodiscard]] StarReport star_report(const HodgeStar<n>& star, const Geometry<n>& geometry, int k);
 
 /// Judges the mass matrix that `whitney_mass` made with the same arguments. It is positive if the material is on every top
-/// simplex.
+/// simplex, whatever rounding says.
 /// Cost     40 products with the matrix
 /// Source   Lanczos 1950; that Ritz values lie within the spectrum: Parlett, "The symmetric eigenvalue problem", 1980
 /// Throws   InputError as above, or if the shapes do not fit

@@ -3,6 +3,8 @@
 #include "derham/boundary/eigen.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
+#include "derham/geometry/naming.hpp"
+#include "derham/operators/linear_map.hpp"
 
 #include <vector>
 
@@ -17,11 +19,6 @@ void require_degree(int k) {
 template <int n>
 SparseMatrix derivative(const SimplicialComplex<n>& K, int k) {
   return to_eigen(coboundary_matrix(K, k));
-}
-
-SparseMatrix diagonal(std::span<const double> entries) {
-  const Eigen::Map<const Eigen::VectorXd> vector(entries.data(), static_cast<Eigen::Index>(entries.size()));
-  return SparseMatrix(vector.asDiagonal());
 }
 
 void require_shape(const SparseMatrix& M, Index size, int k) {
@@ -44,6 +41,23 @@ SparseMatrix matrix_of(Index size, const Triplets& entries) {
   return result;
 }
 
+/// 1/star of the free k-simplices.
+template <int n>
+std::vector<double> free_inverse(const HodgeStar<n>& star, const FormSpace<n>& space, int k) {
+  const auto diagonal = star.diagonal(k);
+  std::vector<double> inverse;
+  std::vector<Index> zero;
+  for (const Index i : space.free(k)) {
+    const double entry = diagonal[static_cast<std::size_t>(i)];
+    if (entry == 0) zero.push_back(i);
+    inverse.push_back(1 / entry);
+  }
+  if (!zero.empty())
+    throw GeometryError(text("the Laplacian divides by dual volumes, and ", zero.size(), " of them are zero: those of ",
+                             simplices_text<n>(star.complex(), k, zero), "; use mixed_laplace_de_rham"));
+  return inverse;
+}
+
 }  // namespace
 
 template <int n>
@@ -54,11 +68,31 @@ SparseMatrix weak_laplace_de_rham(const HodgeStar<n>& star, int k) {
   SparseMatrix result(K.size(k), K.size(k));
   if (k < n) {
     const SparseMatrix d = derivative(K, k);
-    result = d.transpose() * diagonal(star.diagonal(k + 1)) * d;
+    result = d.transpose() * detail::diagonal_matrix(star.diagonal(k + 1)) * d;
   }
   if (k > 0) {
-    const SparseMatrix flux = diagonal(star.diagonal(k)) * derivative(K, k - 1);
-    result += SparseMatrix(flux * diagonal(star.inverse_diagonal(k - 1)) * flux.transpose());
+    const SparseMatrix flux = detail::diagonal_matrix(star.diagonal(k)) * derivative(K, k - 1);
+    result += SparseMatrix(flux * detail::diagonal_matrix(star.inverse_diagonal(k - 1)) * flux.transpose());
+  }
+  return result;
+}
+
+template <int n>
+  requires(n >= 1)
+SparseMatrix weak_laplace_de_rham(const HodgeStar<n>& star, const FormSpace<n>& space, int k) {
+  require_degree<n>(k);
+  const auto& K = star.complex();
+  if (&space.complex() != &K) throw InputError("the form space and the Hodge star belong to different complexes");
+  const SparseMatrix E = space.extension(k);
+  SparseMatrix result(E.cols(), E.cols());
+  if (k < n) {
+    const SparseMatrix d = derivative(K, k) * E;
+    result = d.transpose() * detail::diagonal_matrix(star.diagonal(k + 1)) * d;
+  }
+  if (k > 0) {
+    const SparseMatrix flux =
+        E.transpose() * detail::diagonal_matrix(star.diagonal(k)) * derivative(K, k - 1) * space.extension(k - 1);
+    result += SparseMatrix(flux * detail::diagonal_matrix(free_inverse(star, space, k - 1)) * flux.transpose());
   }
   return result;
 }
@@ -89,18 +123,39 @@ MixedLaplacian mixed_laplace_de_rham(const SimplicialComplex<n>& K, int k, const
 
 template <int n>
   requires(n >= 1)
-MixedLaplacian mixed_laplace_de_rham(const SimplicialComplex<n>& K, const Geometry<n>& geometry, int k) {
+MixedLaplacian mixed_laplace_de_rham(const SimplicialComplex<n>& K, const Geometry<n>& geometry, int k,
+                                     const Material& material) {
   require_degree<n>(k);
   std::array<SparseMatrix, 3> M;
   for (int j = 0; j < 3; ++j)
-    if (k - 1 + j >= 0 && k - 1 + j <= n) M[static_cast<std::size_t>(j)] = whitney_mass(K, geometry, k - 1 + j);
+    if (k - 1 + j >= 0 && k - 1 + j <= n)
+      M[static_cast<std::size_t>(j)] = whitney_mass(K, geometry, k - 1 + j, material);
   return mixed_laplace_de_rham(K, k, M);
+}
+
+template <int n>
+  requires(n >= 1)
+MixedLaplacian restricted(const MixedLaplacian& whole, const FormSpace<n>& space, int k) {
+  require_degree<n>(k);
+  const auto& K = space.complex();
+  const Index sigma = k > 0 ? K.size(k - 1) : 0;
+  require_shape(whole.matrix, sigma + K.size(k), k);
+  Triplets entries;
+  if (k > 0) add_block(space.extension(k - 1), 0, 0, entries);
+  const Index free_sigma = k > 0 ? static_cast<Index>(space.free(k - 1).size()) : 0;
+  add_block(space.extension(k), sigma, free_sigma, entries);
+  SparseMatrix E(whole.matrix.rows(), free_sigma + static_cast<Index>(space.free(k).size()));
+  E.setFromTriplets(entries.begin(), entries.end());
+  return {free_sigma, E.transpose() * whole.matrix * E, E.transpose() * whole.mass * E};
 }
 
 #define DERHAM_INSTANTIATE(n)                                                                                          \
   template SparseMatrix weak_laplace_de_rham(const HodgeStar<n>&, int);                                                \
+  template SparseMatrix weak_laplace_de_rham(const HodgeStar<n>&, const FormSpace<n>&, int);                           \
   template MixedLaplacian mixed_laplace_de_rham(const SimplicialComplex<n>&, int, const std::array<SparseMatrix, 3>&); \
-  template MixedLaplacian mixed_laplace_de_rham(const SimplicialComplex<n>&, const Geometry<n>&, int);
+  template MixedLaplacian mixed_laplace_de_rham(const SimplicialComplex<n>&, const Geometry<n>&, int,                  \
+                                                const Material&);                                                      \
+  template MixedLaplacian restricted(const MixedLaplacian&, const FormSpace<n>&, int);
 DERHAM_INSTANTIATE(1)
 DERHAM_INSTANTIATE(2)
 DERHAM_INSTANTIATE(3)

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "derham/geometry/material.hpp"
 #include "derham/hodge/hodge_star.hpp"
+#include "derham/operators/form_space.hpp"
 #include "derham/operators/linear_map.hpp"
 #include "derham/operators/whitney_mass.hpp"
 
@@ -19,6 +21,16 @@ namespace derham {
 template <int n>
   requires(n >= 1)
 [[nodiscard]] SparseMatrix weak_laplace_de_rham(const HodgeStar<n>& star, int k);
+
+/// The same for forms that vanish on the Γ of `space`, and with δu that vanishes there, too: the Laplacian of (K, Γ), for which
+/// 0 is prescribed in u and in σ = δu. It is not EᵀAE of the operator above, in which δ has values on Γ (for k = 0 and for
+/// dᵀ⋆d alone it is).
+/// Shape    |free(k)| × |free(k)|
+/// Matrix   as above; the kernel has the dimension of H^k(K, Γ)
+/// Throws   as above, where only free (k-1)-simplices count; InputError if the space is of another complex
+template <int n>
+  requires(n >= 1)
+[[nodiscard]] SparseMatrix weak_laplace_de_rham(const HodgeStar<n>& star, const FormSpace<n>& space, int k);
 
 /// Laplace–de Rham of k-forms u with σ = δu as an unknown of its own, for inner products M that have no sparse inverse:
 ///
@@ -43,10 +55,17 @@ template <int n>
 [[nodiscard]] MixedLaplacian mixed_laplace_de_rham(const SimplicialComplex<n>& K, int k,
                                                    const std::array<SparseMatrix, 3>& M);
 
-/// With Whitney masses: valid on every mesh without flat simplices.
+/// With Whitney masses, all with the same material: valid on every mesh without flat simplices.
 /// Throws   as above and as whitney_mass
 template <int n>
   requires(n >= 1)
-[[nodiscard]] MixedLaplacian mixed_laplace_de_rham(const SimplicialComplex<n>& K, const Geometry<n>& geometry, int k);
+[[nodiscard]] MixedLaplacian mixed_laplace_de_rham(const SimplicialComplex<n>& K, const Geometry<n>& geometry, int k,
+                                                   const Material& material = {});
+
+/// With rows and columns of the free (k-1)- and k-simplices of `space` only: u and σ are 0 on its Γ.
+/// Matrix   as above, with the dimension of H^k(K, Γ) in place of β_k
+template <int n>
+  requires(n >= 1)
+[[nodiscard]] MixedLaplacian restricted(const MixedLaplacian& whole, const FormSpace<n>& space, int k);
 
 }  // namespace derham

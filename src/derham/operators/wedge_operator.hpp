@@ -49,6 +49,7 @@ void scale_by_means(const SimplicialComplex<n>& K, int k, std::span<const double
 /// The matrix of f -> y of that.
 template <bool primal, int k, int n>
 [[nodiscard]] SparseMatrix matrix_of_means(const SimplicialComplex<n>& K, std::span<const double> x) {
+  if constexpr (!primal) require_tops_about_all(K);
   const Incidence about = incidence(K, k, primal ? 0 : n);
   return matrix_of_rows(K.size(k), K.size(primal ? 0 : n), [&](Index i, auto&& add) {
     for (const Index j : about[i]) add(j, x[static_cast<std::size_t>(i)] / static_cast<double>(about[i].size()));
