@@ -1,5 +1,6 @@
 #pragma once
 
+#include "derham/core/large_pages.hpp"
 #include "derham/core/types.hpp"
 
 #include <nanobind/nanobind.h>
@@ -42,7 +43,11 @@ template <class T, class... Options>
 /// A copy of an argument that the library takes by value.
 template <class T, class... Options>
 [[nodiscard]] std::vector<std::remove_const_t<T>> copied(const nb::ndarray<T, Options...>& array) {
-  return {array.data(), array.data() + array.size()};
+  std::vector<std::remove_const_t<T>> values;
+  values.reserve(array.size());
+  prefer_large_pages(values.data(), array.size() * sizeof(T));  // before they are touched
+  values.assign(array.data(), array.data() + array.size());
+  return values;
 }
 
 /// A numpy array that owns `values`, moved into it: anything with data() and size().

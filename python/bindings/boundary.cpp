@@ -4,7 +4,7 @@
 #include "derham/boundary/boundary_complex.hpp"
 #include "derham/boundary/manifold.hpp"
 #include "derham/boundary/matrix_free.hpp"
-#include "derham/geometry/volumes.hpp"
+#include "derham/operators/boundary_metric.hpp"
 
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -37,35 +37,15 @@ auto check(const AnyComplex& any) {
   return std::tuple(std::string(name(report.verdict)), report.pure, report.closed, report.orientable, defects);
 }
 
-/// The metric of the boundary: positions where K has them, else the lengths of its edges.
-template <int n>
-std::shared_ptr<const Geometry<n - 1>> geometry_of_boundary(const Body<n>& body, const BoundaryComplex<n>& boundary) {
-  if (!body.geometry || boundary.complex.size(n - 1) == 0) return nullptr;
-  const Geometry<n>& geometry = *body.geometry;
-  if (geometry.source() == MetricSource::points) {
-    const int m = geometry.ambient_dimension();
-    std::vector<double> points;
-    for (const Index v : boundary.inclusion[0])
-      for (int c = 0; c < m; ++c) points.push_back(geometry.points()[static_cast<std::size_t>(v) * m + c]);
-    return std::make_shared<const Geometry<n - 1>>(
-        Geometry<n - 1>::from_points(boundary.complex, std::move(points), m));
-  }
-  if constexpr (n == 1) {
-    return nullptr;
-  } else {
-    const auto squares = squared_lengths(*body.complex, geometry);
-    std::vector<double> own;
-    for (const Index e : boundary.inclusion[1]) own.push_back(squares[static_cast<std::size_t>(e)]);
-    return std::make_shared<const Geometry<n - 1>>(Geometry<n - 1>::from_squared_lengths(boundary.complex, own));
-  }
-}
-
 /// The boundary complex and its inclusion by degree.
 auto boundary_of(const AnyComplex& any) {
   return any.visit<1>([]<int n>(const Body<n>& body) {
     auto boundary = boundary_complex(*body.complex);
     Body<n - 1> found{nullptr, {}};
-    if constexpr (n <= max_metric_dimension) found.geometry = geometry_of_boundary(body, boundary);
+    if constexpr (n <= max_metric_dimension)
+      if (body.geometry && boundary.complex.size(0) > 0)
+        found.geometry =
+            std::make_shared<const Geometry<n - 1>>(boundary_geometry(*body.complex, *body.geometry, boundary));
     found.complex = std::make_shared<const SimplicialComplex<n - 1>>(std::move(boundary.complex));
     std::vector<Array<Index>> inclusion;
     for (auto& map : boundary.inclusion) inclusion.push_back(owned(std::move(map)));

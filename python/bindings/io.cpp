@@ -73,18 +73,6 @@ auto forms(const AnyComplex& any) {
   return result;
 }
 
-/// The positively oriented rows and their corners, if it has any.
-auto rows(const AnyComplex& any) {
-  MeshData mesh = any.mesh();
-  const auto count = static_cast<std::size_t>(mesh.simplices.size());
-  const auto width = static_cast<std::size_t>(mesh.simplices.dimension() + 1);
-  const auto m = static_cast<std::size_t>(mesh.ambient_dimension);
-  const auto vertices = mesh.simplices.vertices();
-  nb::object corners = nb::none();
-  if (mesh.has_corners()) corners = nb::cast(owned(std::move(mesh.corners), {count, width, m}));
-  return std::tuple(owned(std::vector<Index>(vertices.begin(), vertices.end())), corners);
-}
-
 }  // namespace
 
 void bind_io(nb::module_& module, ComplexClass& complex) {
@@ -96,7 +84,6 @@ void bind_io(nb::module_& module, ComplexClass& complex) {
   complex.def("fields", &fields);
   complex.def("forms", &forms);
   complex.def("notes", [](const AnyComplex& any) { return any.rest().notes; });
-  complex.def("oriented_rows", &rows);
 }
 
 }  // namespace derham::python

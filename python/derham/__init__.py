@@ -14,6 +14,7 @@ from ._derham import set_thread_count, thread_count
 from ._derham import version as __version__
 from .complex import Complex, read
 from .errors import Error, FileError, GeometryError, InputError, LimitError, TopologyError
+from .exchange import from_meshio, to_meshio, to_pyvista
 
 __all__ = [
     "Complex",
@@ -25,8 +26,11 @@ __all__ = [
     "TopologyError",
     "__version__",
     "errors",
+    "from_meshio",
     "generate",
     "read",
     "set_thread_count",
     "thread_count",
+    "to_meshio",
+    "to_pyvista",
 ]

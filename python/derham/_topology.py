@@ -63,6 +63,17 @@ class Topology(Base):
         """
         return self._core.simplices(self._degree(k))
 
+    def oriented_simplices(self) -> Integers:
+        """The top simplices as positively oriented tuples: sorted, with the last two vertices exchanged where `signs` is -1.
+
+        Shape    (|K_n|, n+1), a copy
+        """
+        rows: Integers = self.simplices(self.dimension).copy()
+        if self.dimension > 0:
+            negative = self.signs < 0
+            rows[negative, -2:] = rows[negative, :-3:-1]
+        return rows
+
     def faces(self, k: int) -> Integers:
         """The indices of the faces of every k-simplex; place j is the face without its vertex number k-j.
 

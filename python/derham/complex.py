@@ -110,10 +110,13 @@ class Complex(Operators, Mesh):
     def __reduce__(self) -> tuple[Any, ...]:
         if not self.is_pure:
             raise TypeError("a complex that is not pure cannot be pickled; pickle what it was made from")
-        vertices, corners = self._core.oriented_rows()
         lengths = self.edge_lengths_squared() if self.metric_source == "edge_lengths_squared" else None
-        rows = vertices.reshape(-1, self.dimension + 1)
-        return _restored, (rows, self.points, lengths, corners)
+        corners = None
+        if self.metric_source == "corners":
+            corners = self.corners()
+            negative = self.signs < 0
+            corners[negative, -2:] = corners[negative, :-3:-1]
+        return _restored, (self.oriented_simplices(), self.points, lengths, corners)
 
 
 def _restored(rows: Integers, points: Any, lengths: Any, corners: Any) -> Complex:

@@ -88,6 +88,35 @@ TYPED_TEST(DeRham, GivesDensitiesAndFluxesTheirSigns) {
     EXPECT_NEAR(one[t], space.K.sign(n, t) * signed_volume[static_cast<std::size_t>(t)], 1e-15);
 }
 
+/// Values at the nodes instead of a function: the same bits, in the space of the complex and in a larger one.
+template <int n>
+void expect_same_of_nodes(const Space<n>& space) {
+  const int m = space.g.ambient_dimension();
+  const DeRhamMap<n> R(space.K, space.g, 3);
+  [&]<int... k>(std::integer_sequence<int, k...>) {
+    (
+        [&] {
+          const auto w = test::random_form<k>(m, 2, 11);
+          const std::vector<double> nodes = R.template nodes<k>();
+          std::vector<double> values;
+          for (std::size_t i = 0; i < nodes.size(); i += static_cast<std::size_t>(m)) {
+            const auto value = w(Point(nodes).subspan(i, static_cast<std::size_t>(m)));
+            values.insert(values.end(), value.begin(), value.end());
+          }
+          EXPECT_EQ(R.template components_at_nodes<k>(values), R.template components<k>(w)) << k;
+          values.push_back(0);
+          EXPECT_THROW((void)R.template components_at_nodes<k>(values), InputError);
+        }(),
+        ...);
+  }(std::make_integer_sequence<int, n + 1>{});
+}
+
+TYPED_TEST(DeRham, TakesValuesAtItsNodes) {
+  constexpr int n = TypeParam::value;
+  expect_same_of_nodes(Space<n>(random_mesh<n>(4)));
+  expect_same_of_nodes(Space<n>(test::moved(random_mesh<n>(4), n + 1, 1, 0.5, 6)));
+}
+
 TYPED_TEST(DeRham, CirculationIsTheGradientTheoremAndFormsAgreeWithComponents) {
   constexpr int n = TypeParam::value;
   const Space<n> space(test::moved(random_mesh<n>(2), n + 2, 1, 1, 3));

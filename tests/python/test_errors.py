@@ -29,6 +29,7 @@ REFUSED: list[tuple[type[Exception], str, Callable[[], object]]] = [
     (ValueError, r"simplices have shape \(3,\)", lambda: derham.Complex(np.arange(3))),
     (ValueError, r"row 1 .*repeat|row 1 .*more than once|row 1", lambda: derham.Complex([(0, 1, 2), (2, 2, 3)])),
     (ValueError, r"points have shape \(3,\)", lambda: derham.Complex([(0, 1)], points=[1, 2, 3])),
+    (ValueError, r"vertex 2", lambda: derham.Complex([(0, 1)], points=[(0,), (1,), (2,)])),
     (ValueError, r"points and edge_lengths_squared are given",
      lambda: derham.Complex([(0, 1)], [(0,), (1,)], edge_lengths_squared=[1])),
     (ValueError, r"dimension", lambda: derham.Complex([(0, 1, 2)], points=[(0,), (1,), (2,)])),

@@ -46,15 +46,15 @@ def test_integrals_of_polynomials_commute_with_d() -> None:
     K = derham.generate.box(3, 2, jitter=0.2)
 
     def grad(x: np.ndarray) -> np.ndarray:
-        return np.stack([2 * x[:, 0] * x[:, 1], x[:, 0] ** 2, 3 * x[:, 2] ** 2], axis=1)
+        return np.stack([2 * x[:, 0] * x[:, 1], x[:, 0] ** 2 + 2 * x[:, 1], 3 * x[:, 2] ** 2], axis=1)
 
     def f(x: np.ndarray) -> np.ndarray:
-        return x[:, 0] ** 2 * x[:, 1] + x[:, 2] ** 3
+        return x[:, 0] ** 2 * x[:, 1] + x[:, 1] ** 2 + x[:, 2] ** 3
 
     np.testing.assert_allclose(K.apply_d(K.integrate(f, 0), 0), K.integrate(grad, 1), atol=1e-14)
     flux = K.integrate(grad, 2, flux=True)
     np.testing.assert_allclose(
-        K.apply_d(flux, 2), K.integrate(lambda x: 2 * x[:, 1] + 6 * x[:, 2], 3), atol=1e-14
+        K.apply_d(flux, 2), K.integrate(lambda x: 2 * x[:, 1] + 2 + 6 * x[:, 2], 3), atol=1e-14
     )
     assert K.integrate(1.0, 3).sum() == pytest.approx(1)
     np.testing.assert_allclose(K.integrate([1, 0, 0], 1), K.apply_d(K.points[:, 0], 0), atol=1e-15)
@@ -122,6 +122,10 @@ def test_interior_product_and_lie_derivative() -> None:
     np.testing.assert_allclose(  # d L_X = L_X d
         K.apply_d(K.lie(turning, u, 0), 0), K.lie(turning, K.apply_d(u, 0), 1), atol=1e-13
     )
+    line = derham.generate.box(1, 3)  # a density of 1, 2, 3 in the intervals, carried to the right
+    masses = np.array([1.0, 2.0, 3.0]) / 3
+    np.testing.assert_allclose(line.interior([1.0], masses, 1, trace="upwind"), [0, 1, 2, 3], atol=1e-14)
+    np.testing.assert_allclose(line.interior([1.0], masses, 1), [1, 1.5, 2.5, 3], atol=1e-14)
     T = derham.generate.periodic_box(2, 4, jitter=0.2)
     assert abs(T.lie(X, np.arange(T.size(2), dtype=float), 2, trace="upwind").sum()) < 1e-10
 
