@@ -137,7 +137,8 @@ auto sharp(const AnyComplex& any, const std::string& kind, const Values& w) {
                             : whitney_sharp(geometry, form);
     });
     const auto d = static_cast<std::size_t>(geometry.coordinate_dimension());
-    return owned(std::move(vectors), {vectors.size() / d, d});
+    const std::size_t count = vectors.size() / d;
+    return owned(std::move(vectors), {count, d});
   });
 }
 
