@@ -30,24 +30,18 @@ using MaterialArgument = std::optional<std::pair<Values, std::optional<Indices>>
 template <int n>
 struct StarOf {
   Body<n> body;
-  Material material;
   HodgeStar<n> star;
 
-  StarOf(Body<n> complex, StarKind kind, Material weighing)
-      : body(std::move(complex)), material(std::move(weighing)), star(make(body, std::move(kind), material)) {}
-
- private:
-  static HodgeStar<n> make(const Body<n>& body, StarKind kind, const Material& material) {
-    return HodgeStar<n>(*body.complex, *body.geometry, std::move(kind), material);
-  }
+  StarOf(Body<n> complex, StarKind kind, const Material& material)
+      : body(std::move(complex)), star(*body.complex, *body.geometry, std::move(kind), material) {}
 };
 
 /// A diagonal Hodge star of a dimension known at run time.
 class AnyStar {
  public:
-  AnyStar(const AnyComplex& any, StarKind kind, Material material)
+  AnyStar(const AnyComplex& any, StarKind kind, const Material& material)
       : star_(any.with_metric([&]<int n>(const Body<n>& body) {
-          return Stars(std::make_shared<const StarOf<n>>(body, std::move(kind), std::move(material)));
+          return Stars(std::make_shared<const StarOf<n>>(body, std::move(kind), material));
         })) {}
 
   /// action(star), a shared_ptr<const StarOf<n>>, with n from low.

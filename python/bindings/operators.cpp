@@ -2,11 +2,14 @@
 #include "matrices.hpp"
 #include "rooms.hpp"
 
+#include "derham/operators/hot_weights.hpp"
 #include "derham/operators/star_report.hpp"
+#include "derham/operators/weak_laplacian.hpp"
 #include "derham/operators/whitney_mass.hpp"
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 
 #include <string>
 #include <tuple>
@@ -44,11 +47,44 @@ auto report_of_mass(const AnyComplex& any, int k, const MaterialArgument& given)
   });
 }
 
+template <class Lists>
+auto arrays_by_degree(Lists& lists) {
+  std::vector<Array<Index>> arrays;
+  for (auto& list : lists) arrays.push_back(owned(std::move(list)));
+  return arrays;
+}
+
+auto weights(const AnyComplex& any, double margin) {
+  return any.with_metric<1>([margin](const auto& body) {
+    auto found = without_gil([&] { return hot_weights(*body.complex, *body.geometry, margin); });
+    return std::tuple(owned(std::move(found.weights)), found.energy_before, found.energy,
+                      arrays_by_degree(found.not_positive_before), arrays_by_degree(found.not_positive),
+                      found.excluded_range, found.advice);
+  });
+}
+
+auto weak_laplacian(const AnyStar& any, int k) {
+  return any.visit<1>(
+      [k](const auto& star) { return arrays_of(without_gil([&] { return weak_laplace_de_rham(star->star, k); })); });
+}
+
+/// The matrix and the mass; σ comes first.
+auto mixed_laplacian(const AnyComplex& any, int k, const MaterialArgument& material) {
+  return any.with_metric<1>([&](const auto& body) {
+    auto mixed =
+        without_gil([&] { return mixed_laplace_de_rham(*body.complex, *body.geometry, k, material_of(material)); });
+    return std::tuple(arrays_of(std::move(mixed.matrix)), arrays_of(std::move(mixed.mass)));
+  });
+}
+
 }  // namespace
 
 void bind_operators(ComplexClass& complex, StarClass& star) {
   using nb::arg;
   star.def("report", &report_of_star, arg("k"));
+  star.def("weak_laplacian", &weak_laplacian, arg("k"));
+  complex.def("hot_weights", &weights, arg("margin"));
+  complex.def("mixed_laplacian", &mixed_laplacian, arg("k"), arg("material").none());
   complex.def("whitney_mass", &mass, arg("k"), arg("material").none());
   complex.def("whitney_report", &report_of_mass, arg("k"), arg("material").none());
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import comb
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -15,9 +15,18 @@ from ._base import Floats, Integers, Side, float_array
 from ._metric import Material, Metric, StarKind
 from ._topology import Topology
 from .errors import GeometryError, InputError
+from .spaces import FormSpace
 
 #: A function of points (count, m) at once, or its value where it is constant.
 Field: TypeAlias = "Callable[[Floats], npt.ArrayLike] | npt.ArrayLike"
+
+
+class MixedLaplacian(NamedTuple):
+    """`matrix` x = λ `mass` x for x = (σ, u); the first `sigma` unknowns are those of σ."""
+
+    sigma: int
+    matrix: sparse.csr_array
+    mass: sparse.csr_array
 
 
 class Operators(Topology, Metric):
@@ -88,6 +97,48 @@ class Operators(Topology, Metric):
         dual = self._side(side)
         arrays = self._star(kind, weights, material).laplacian(k, dual)
         return sparse.csr_array(arrays, shape=(self._count(k, dual),) * 2, copy=False)
+
+    def weak_laplacian(
+        self,
+        k: int,
+        kind: StarKind = "circumcentric",
+        *,
+        weights: npt.ArrayLike | None = None,
+        material: Material | None = None,
+    ) -> sparse.csr_array:
+        """⋆_k Δ of primal k-forms with a diagonal star: an eigenproblem is solved with it against `star(k)`.
+
+        Shape    |K_k| × |K_k|, units length^(n-2k-2)
+        Matrix   symmetric; positive semi-definite with a kernel of dimension β_k where the stars are positive
+        Raises   as `star_inverse(k - 1)`
+        """
+        k = self._degree(k)
+        arrays = self._star(kind, weights, material).weak_laplacian(k)
+        return sparse.csr_array(arrays, shape=(self._sizes[k],) * 2, copy=False)
+
+    def mixed_laplacian(
+        self, k: int, *, material: Material | None = None, space: FormSpace | None = None
+    ) -> MixedLaplacian:
+        """Laplace–de Rham of k-forms u with Whitney masses and σ = δu as an unknown of its own: valid on every mesh.
+
+        space    where u and σ are prescribed to be 0; rows and columns are then those of free simplices
+        Raises   InputError unless 0 <= k <= n; GeometryError naming flat top simplices
+        Source   Arnold, Falk, Winther, "Finite element exterior calculus", 2006, §7
+        """
+        k = self._degree(k)
+        sigma = self.size(k - 1)
+        shape = (sigma + self._sizes[k],) * 2
+        matrix, mass = (
+            sparse.csr_array(arrays, shape=shape, copy=False)
+            for arrays in self._core.mixed_laplacian(k, self._material(material))
+        )
+        if space is None:
+            return MixedLaplacian(sigma, matrix, mass)
+        if space.complex is not self:
+            raise InputError("the form space is of another complex")
+        free_sigma = space.free(k - 1) if k else space.free(0)[:0]
+        free = np.concatenate([free_sigma, sigma + space.free(k)])
+        return MixedLaplacian(len(free_sigma), matrix[free][:, free], mass[free][:, free])
 
     def _count(self, k: int, dual: bool) -> int:
         return self._sizes[self.dimension - k if dual else k]

@@ -131,3 +131,29 @@ class DualReport(Report):
             for k, s in enumerate(self.star)
         ]
         return stars + super()._rows()[1:]
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class HotWeights(Report):
+    """Weights for the power star, and what they do.
+
+    `energy` is Σ |T| |c_T - b_T|², c_T power centres and b_T barycentres, before for weights 0; units length^(n+2). The k-simplices
+    whose dual volume is not positive are lists by degree. `excluded_range` is not 0 if there are no good weights.
+    """
+
+    weights: npt.NDArray[Any]
+    energy_before: float
+    energy: float
+    not_positive_before: tuple[npt.NDArray[Any], ...]
+    not_positive: tuple[npt.NDArray[Any], ...]
+    excluded_range: float
+    advice: str
+
+    def __bool__(self) -> bool:
+        return not any(len(list_) for list_ in self.not_positive)
+
+    def _rows(self) -> list[tuple[str, str]]:
+        counts = [", ".join(str(len(x)) for x in lists) for lists in (self.not_positive_before, self.not_positive)]
+        rows = super()._rows()
+        rows[3:5] = [("not positive before", counts[0]), ("not positive", counts[1])]
+        return rows

@@ -42,6 +42,35 @@ def test_kernels_count_betti_numbers() -> None:
         )
 
 
+def test_weak_and_mixed_laplacians() -> None:
+    K = derham.generate.a_star_lattice(3, 3)
+    for k in range(4):
+        difference = K.weak_laplacian(k) - K.star(k) @ K.laplacian(k)
+        assert abs(difference).max() < 1e-9
+    for K in (derham.generate.annulus(), derham.generate.periodic_box(2, 3, jitter=0.2)):
+        if K.metric_source is None:
+            K = derham.Complex(K.simplices(2), edge_lengths_squared=np.ones(K.size(1)))
+        betti_1 = 2 if K.euler_characteristic == 0 and K.boundary_simplices() == {} else 1
+        mixed = K.mixed_laplacian(1)
+        eigenvalues = np.linalg.eigvalsh(mixed.matrix.toarray())
+        assert mixed.sigma == K.size(0) == np.sum(eigenvalues < -1e-9)
+        assert np.sum(abs(eigenvalues) < 1e-9) == betti_1
+    square = derham.generate.box(2, 3)
+    relative = square.mixed_laplacian(2, space=square.form_space())
+    assert relative.sigma == len(square.form_space().free(1))
+    assert np.sum(abs(np.linalg.eigvalsh(relative.matrix.toarray())) < 1e-9) == 1  # H²(square, boundary)
+    with pytest.raises(derham.InputError, match="another complex"):
+        square.mixed_laplacian(1, space=K.form_space())
+
+
+def test_hot_weights() -> None:
+    K = derham.generate.box(2, 4)
+    hot = K.hot_weights()
+    assert hot and len(hot.not_positive_before[1]) > 0 and not hot.advice
+    assert (K.star(1, "power", weights=hot.weights).diagonal() > 0).all()
+    assert "not positive" in repr(hot)
+
+
 def test_integrals_of_polynomials_commute_with_d() -> None:
     K = derham.generate.box(3, 2, jitter=0.2)
 
