@@ -180,6 +180,16 @@ TEST(PowerDual, SameBitsForAnyNumberOfThreads) {
   set_thread_count(before);
 }
 
+TEST(PowerDual, OfWeightsBeyondTheRangeIsUndefinedRatherThanZero) {
+  const Mesh<2> mesh(meshes::box(2, 2, {.jitter = 0.2}));
+  std::vector<double> weights(9);
+  for (const double huge : {1e200, 1e307}) {
+    weights[4] = huge;
+    const auto dual = power_dual(mesh.K, mesh.g, weights).dual;
+    EXPECT_TRUE(std::isnan(dual[0][4])) << dual[0][4];
+  }
+}
+
 TEST(PowerDual, RefusesWhatDoesNotFit) {
   const Mesh<2> mesh(meshes::box(2, 2));
   EXPECT_THROW((void)power_dual(mesh.K, mesh.g, std::vector<double>{1, 2}), InputError);

@@ -116,6 +116,17 @@ TEST(Form, ValueOnAnAliasCarriesItsSign) {
   EXPECT_EQ(area({1, 2, 3}), -area({2, 1, 3}));
 }
 
+TEST(Form, HasSumsMultiplesAndQuotients) {
+  const SimplicialComplex<2> K(SimplexList{{0, 1, 2}});
+  const Form<2, 1> w(K, {1, 2, 3}), u(K, {4, 0, -1});
+  EXPECT_EQ(w + u, (Form<2, 1>(K, {5, 2, 2})));
+  EXPECT_EQ(w - u, (Form<2, 1>(K, {-3, 2, 4})));
+  EXPECT_EQ(2 * w, (Form<2, 1>(K, {2, 4, 6})));
+  EXPECT_EQ(w * 2, 2 * w);
+  EXPECT_EQ(w / 2, (Form<2, 1>(K, {0.5, 1, 1.5})));
+  EXPECT_EQ(-w, -1 * w);
+}
+
 TEST(Form, RefusesWrongLengthsAndForeignComplexes) {
   const SimplicialComplex<2> K(SimplexList{{0, 1, 2}}), L(SimplexList{{0, 1, 2}});
   EXPECT_THROW((Form<2, 1>(K, {1, 2})), InputError);

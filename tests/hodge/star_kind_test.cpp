@@ -124,6 +124,8 @@ TEST(StarKind, NameTheSimplicesThatHaveNoInverse) {
 TEST(StarKind, RefuseWhatDoesNotFit) {
   const Mesh<2> mesh(meshes::box(2, 2));
   EXPECT_THROW(HodgeStar<2>(mesh.K, mesh.g, PowerCircumcentric{{1, 2, 3}}), InputError);
+  const std::vector<double> huge{0, 0, 0, 0, 1e200, 0, 0, 0, 0};
+  EXPECT_THROW(HodgeStar<2>(mesh.K, mesh.g, PowerCircumcentric{huge}), GeometryError);
   EXPECT_THROW(HodgeStar<2>(mesh.K, mesh.g, Lumped{}, Material{.values = {1, 0, 0, 1}, .width = 2}), InputError);
   EXPECT_THROW(HodgeStar<2>(mesh.K, mesh.g, Circumcentric{}, Material{.values = {1, 2}}), InputError);
   const SimplicialComplex<2> flat(SimplexList{{0, 1, 2}});

@@ -92,6 +92,7 @@ TYPED_TEST(Operators, ComposeToThePositiveSemidefiniteLaplacian) {
     EXPECT_LT((weak - SparseMatrix(weak.transpose())).norm(), 1e-12 * weak.norm()) << "self-adjoint";
     const auto u = random_form<n, k>(L.K, 1);
     EXPECT_GT(pair(u, L.star(laplacian(u))), 0) << "degree " << k;
+    EXPECT_EQ((laplacian * 2.0)(u), 2.0 * laplacian(u));
     if constexpr (k == 0) {
       EXPECT_LT(distance(laplacian(u), derham::laplacian(L.star, u)), 1e-10);
     }

@@ -59,7 +59,7 @@ class PowerRecursion {
     for (std::size_t v = 0; v <= k; ++v) {
       const double shift = simplex.shift(v, weight), height = simplex.zero.height(static_cast<int>(v)) - shift;
       const double smallest = relative_error * (simplex.zero.radius + std::abs(shift)) + result.rounding;
-      result.height[v] = std::abs(height) <= smallest ? 0 : height;
+      result.height[v] = std::abs(height) <= smallest && std::isfinite(smallest) ? 0 : height;
     }
     return result;
   }
@@ -94,7 +94,8 @@ class PowerRecursion {
       }
     }
     for (std::size_t i = 0; i < value.size(); ++i)
-      if (std::abs(value[i]) <= error[i]) value[i] = 0;
+      if (std::abs(value[i]) <= error[i])
+        value[i] = std::isfinite(error[i]) ? 0 : std::numeric_limits<double>::quiet_NaN();
     value_ = std::move(value);
     error_ = std::move(error);
   }

@@ -71,9 +71,15 @@ class Form {
     for (double& value : values_) value *= factor;
     return *this;
   }
+  Form& operator/=(double divisor) {
+    for (double& value : values_) value /= divisor;
+    return *this;
+  }
   friend Form operator+(Form a, const Form& b) { return std::move(a += b); }
   friend Form operator-(Form a, const Form& b) { return std::move(a -= b); }
   friend Form operator*(double factor, Form a) { return std::move(a *= factor); }
+  friend Form operator*(Form a, double factor) { return std::move(a *= factor); }
+  friend Form operator/(Form a, double divisor) { return std::move(a /= divisor); }
   friend Form operator-(Form a) { return std::move(a *= -1); }
   friend bool operator==(const Form& a, const Form& b) { return a.complex_ == b.complex_ && a.values_ == b.values_; }
 

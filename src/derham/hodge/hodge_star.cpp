@@ -78,9 +78,10 @@ void refuse(const SimplicialComplex<n>& K, const CircumcentricDual<n>& volumes) 
     for (Index i = 0; i < K.size(k); ++i) {
       const double dual = volumes.dual[k][i], primal = volumes.primal[k][i];
       if (std::isnan(star_entry(dual, primal)))
-        throw GeometryError(text("the Hodge star of ", simplex_text(K, k, i),
-                                 " is out of the range of doubles: dual volume ", dual, " over volume ", primal,
-                                 "; scale the mesh so that edge lengths are closer to 1"));
+        throw GeometryError(
+            text("the Hodge star of ", simplex_text(K, k, i), " is out of the range of doubles: dual volume ", dual,
+                 " over volume ", primal,
+                 "; scale the mesh so that edge lengths (and the weights of vertices) are closer to 1"));
     }
 }
 

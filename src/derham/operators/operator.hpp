@@ -80,6 +80,7 @@ class Operator {
   friend Operator operator*(double factor, const Operator& A) {
     return Operator(*A.from_, *A.to_, detail::multiple(factor, A.map_));
   }
+  friend Operator operator*(const Operator& A, double factor) { return factor * A; }
   friend Operator operator-(const Operator& A) { return -1.0 * A; }
 
   // For the operators above.
