@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 import scipy.sparse as sparse
 from conftest import random_rows
 from hypothesis import given, settings
@@ -122,22 +121,3 @@ def test_matrices_are_the_memory_of_the_library() -> None:
         B = K.d(k, dtype=np.float64)
         assert B.dtype == np.float64 and not (A - B).count_nonzero()
     assert np.shares_memory(K.star(1).data, K.star(1).data)
-
-
-def test_counts_and_betti_numbers_against_gudhi() -> None:
-    gudhi = pytest.importorskip("gudhi")
-    for K in (derham.generate.csaszar_torus(), derham.generate.box(3, 2), derham.generate.complex_projective_plane()):
-        tree = gudhi.SimplexTree()
-        for row in K.simplices(K.dimension).tolist():
-            tree.insert(row)
-        counts = [0] * (K.dimension + 1)
-        for simplex, _ in tree.get_simplices():
-            counts[len(simplex) - 1] += 1
-        assert K.sizes == tuple(counts)
-        tree.compute_persistence(persistence_dim_max=True)
-        ranks = [np.linalg.matrix_rank(K.d(k).toarray()) for k in range(K.dimension)]
-        betti = [
-            K.size(k) - (ranks[k] if k < K.dimension else 0) - (ranks[k - 1] if k else 0)
-            for k in range(K.dimension + 1)
-        ]
-        assert betti == tree.betti_numbers()
