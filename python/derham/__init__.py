@@ -15,6 +15,7 @@ from ._derham import version as __version__
 from .complex import Complex, read
 from .errors import Error, FileError, GeometryError, InputError, LimitError, TopologyError
 from .exchange import from_meshio, to_meshio, to_pyvista
+from .point_clouds import rips
 
 __all__ = [
     "Complex",
@@ -29,6 +30,7 @@ __all__ = [
     "from_meshio",
     "generate",
     "read",
+    "rips",
     "set_thread_count",
     "thread_count",
     "to_meshio",
