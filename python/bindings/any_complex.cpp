@@ -55,10 +55,18 @@ SimplexList oriented_rows(const SimplicialComplex<n>& K) {
   return SimplexList(n, std::move(vertices));
 }
 
+/// The metric as a mesh has it, also where the complex was not made from one.
 template <int n>
-void restore_positions(const Body<n>& body, MeshData& mesh) {
+void restore_metric(const Body<n>& body, MeshData& mesh) {
   if constexpr (n <= max_metric_dimension) {
-    if (!body.geometry || body.geometry->source() == MetricSource::lengths) return;
+    if (!body.geometry) return;
+    mesh.ambient_dimension = body.geometry->ambient_dimension();
+    if (body.geometry->source() == MetricSource::lengths) {
+      if constexpr (n >= 1)
+        if (mesh.edge_lengths_squared.empty())
+          mesh.edge_lengths_squared = squared_lengths(*body.complex, *body.geometry);
+      return;
+    }
     const auto coordinates = body.geometry->coordinates();
     auto& values = body.geometry->source() == MetricSource::points ? mesh.points : mesh.corners;
     values.assign(coordinates.begin(), coordinates.end());
@@ -86,7 +94,7 @@ MeshData AnyComplex::mesh() const {
   visit([&mesh](const auto& body) {
     mesh.vertex_count = body.complex->size(0);
     if (body.complex->is_pure() && mesh.vertex_count > 0) mesh.simplices = oriented_rows(*body.complex);
-    restore_positions(body, mesh);
+    restore_metric(body, mesh);
   });
   return mesh;
 }

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import pickle
+from pathlib import Path
+
 import numpy as np
+import pytest
 import scipy.sparse as sparse
 from conftest import random_rows
 from hypothesis import given, settings
@@ -102,6 +106,18 @@ def test_boundary_complex() -> None:
     assert abs(boundary.volumes(2).sum() - 6) < 1e-12
     torus, _ = derham.generate.solid_torus(1, 4).boundary_complex()
     assert torus.euler_characteristic == 0
+
+
+@pytest.mark.parametrize("metric", ["points", "corners", "edge_lengths_squared"])
+def test_the_boundary_keeps_its_metric_when_refined_written_and_pickled(metric: str, tmp_path: Path) -> None:
+    box = derham.generate.box(3, 2)
+    rows = box.oriented_simplices()
+    given = {"points": box.points, "corners": box.points[rows], "edge_lengths_squared": box.edge_lengths_squared()}
+    boundary, _ = derham.Complex(rows, **{metric: given[metric]}).boundary_complex()
+    boundary.write(tmp_path / "m.npz")
+    for K in (boundary, boundary.refined().fine, derham.read(tmp_path / "m.npz"), pickle.loads(pickle.dumps(boundary))):
+        assert K.metric_source == metric
+        assert abs(K.volumes(2).sum() - 6) < 1e-12
 
 
 def test_chains() -> None:
