@@ -1,5 +1,6 @@
 #include "rooms.hpp"
 
+#include "derham/core/cancel.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/parallel.hpp"
 #include "derham/core/types.hpp"
@@ -11,6 +12,8 @@ namespace derham::python {
 namespace {
 
 namespace nb = nanobind;
+
+unsigned long main_thread = 0;
 
 /// The class of derham.errors that stands for an error of the library.
 template <class... Arguments>
@@ -38,10 +41,19 @@ void translate(const std::exception_ptr& thrown, void*) {
   }
 }
 
+/// Runs the handlers of signals that came, as that of Ctrl-C, which raises KeyboardInterrupt. Python does so in its main thread only.
+void check_signals() {
+  if (PyThread_get_thread_ident() != main_thread) return;
+  const nb::gil_scoped_acquire gil;
+  if (PyErr_CheckSignals() != 0) throw nb::python_error();
+}
+
 }  // namespace
 
 void bind_core(nb::module_& module) {
   nb::register_exception_translator(translate);
+  main_thread = nb::cast<unsigned long>(nb::module_::import_("threading").attr("main_thread")().attr("ident"));
+  set_cancel_check(check_signals);
   module.attr("version") = version;
   module.attr("index_bits") = 8 * sizeof(Index);
   module.def("thread_count", &thread_count);

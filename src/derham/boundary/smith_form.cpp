@@ -2,6 +2,7 @@
 // form algorithms", 2003: unit pivots first, then the dense algorithm on what is left.
 #include "derham/boundary/smith_form.hpp"
 
+#include "derham/core/cancel.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 
@@ -98,6 +99,7 @@ class Peeling {
     store_single_rows(units);
     for (Index j = 0; j < A_.columns(); ++j) {
       if (!active_[static_cast<std::size_t>(j)]) continue;
+      poll_cancel();
       aside.emplace_back();
       for (const auto& [row, value] : column(j))
         if (value != 0) aside.back()[row] = mpz_class(static_cast<long>(value));
@@ -158,6 +160,7 @@ class Peeling {
 bool isolate_pivot(DenseMatrix& A, std::size_t start) {
   const std::size_t rows = A.size(), columns = A[0].size();
   for (;;) {
+    poll_cancel();
     std::size_t best_row = rows, best_column = columns;
     for (std::size_t i = start; i < rows; ++i)
       for (std::size_t j = start; j < columns; ++j)

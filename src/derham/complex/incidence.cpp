@@ -1,6 +1,7 @@
 #include "derham/complex/incidence.hpp"
 
 #include "derham/complex/transposed_table.hpp"
+#include "derham/core/cancel.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/large_pages.hpp"
 #include "derham/core/text.hpp"
@@ -31,6 +32,7 @@ Incidence downward(const SimplicialComplex<n>& K, int k, int m) {
   result.indices.reserve(static_cast<std::size_t>(K.size(k)) * width);
   std::vector<Index> current, next;
   for (Index i = 0; i < K.size(k); ++i) {
+    if (i % 1024 == 0) poll_cancel();
     current.assign(1, i);
     for (int degree = k; degree > m; --degree) {
       next.clear();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "derham/core/cancel.hpp"
 #include "derham/core/parallel.hpp"
 #include "derham/core/types.hpp"
 
@@ -25,6 +26,7 @@ void ordered_blocks(Offset count, MakeScratch&& make_scratch, Prepare&& prepare,
     try {
       auto scratch = make_scratch();
       for (Offset block = next++; block < count; block = next++) {
+        poll_cancel();
         prepare(scratch, block);
         while (turn.load(std::memory_order_acquire) != block) {
           if (failed.load(std::memory_order_relaxed)) return;

@@ -1,5 +1,6 @@
 #include "derham/core/parallel.hpp"
 
+#include "derham/core/cancel.hpp"
 #include "derham/core/error.hpp"
 
 #include <atomic>
@@ -38,12 +39,14 @@ bool can_start_threads(Offset count) {
   return possible;
 }
 
-/// Calls one block of a parallel loop.
-void run_block(detail::BlockFunction function, void* context, Offset block) {
+/// Calls one block of a parallel loop that `owner` began.
+void run_block(detail::BlockFunction function, void* context, Offset block, std::thread::id owner) {
   struct Inside {
     bool before = std::exchange(inside_loop, true);
     ~Inside() { inside_loop = before; }
   } inside;
+  const detail::WorkingForAnother working(std::this_thread::get_id() != owner);
+  poll_cancel();
   function(context, block);
 }
 
@@ -65,15 +68,20 @@ namespace detail {
 void run_blocks(Offset blocks, BlockFunction function, void* context) {
   const Offset threads = std::min<Offset>(thread_count(), blocks);
   if (threads <= 1 || inside_loop || !can_start_threads(threads - 1)) {
-    for (Offset block = 0; block < blocks; ++block) function(context, block);
+    for (Offset block = 0; block < blocks; ++block) {
+      poll_cancel();
+      function(context, block);
+    }
     return;
   }
+  const std::thread::id owner = std::this_thread::get_id();
 #if defined(DERHAM_THREADS_TBB)
   // Never more than TBB's own workers: it would print that it ignores the others.
   tbb::task_arena arena(std::min(static_cast<int>(threads), tbb::info::default_concurrency()));
   arena.execute([&] {
     tbb::parallel_for(
-        Offset{0}, blocks, [&](Offset block) { run_block(function, context, block); }, tbb::simple_partitioner());
+        Offset{0}, blocks, [&](Offset block) { run_block(function, context, block, owner); },
+        tbb::simple_partitioner());
   });
 #elif defined(DERHAM_THREADS_STD)
   std::atomic<Offset> next{0};
@@ -81,7 +89,7 @@ void run_blocks(Offset blocks, BlockFunction function, void* context) {
   std::mutex failure_mutex;
   const auto work = [&] {
     try {
-      for (Offset block = next++; block < blocks; block = next++) run_block(function, context, block);
+      for (Offset block = next++; block < blocks; block = next++) run_block(function, context, block, owner);
     } catch (...) {
       const std::lock_guard lock(failure_mutex);
       if (!failure) failure = std::current_exception();
@@ -94,7 +102,7 @@ void run_blocks(Offset blocks, BlockFunction function, void* context) {
   workers.clear();
   if (failure) std::rethrow_exception(failure);
 #else
-  for (Offset block = 0; block < blocks; ++block) run_block(function, context, block);
+  for (Offset block = 0; block < blocks; ++block) run_block(function, context, block, owner);
 #endif
 }
 

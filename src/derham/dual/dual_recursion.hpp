@@ -3,6 +3,7 @@
 #include "derham/boundary/scatter_pieces.hpp"
 #include "derham/complex/local_faces.hpp"
 #include "derham/complex/simplicial_complex.hpp"
+#include "derham/core/cancel.hpp"
 #include "derham/core/large_pages.hpp"
 #include "derham/core/parallel.hpp"
 #include "derham/dual/settled_block.hpp"
@@ -141,6 +142,7 @@ class DualRecursion {
   template <int k>
   void treat(std::size_t p, const ScatterPiece& piece, Work<k>& work, Estimate* below) {
     if (work.count == 0) return;
+    poll_cancel();
     metric_.template measure<k>({work.simplex.data(), work.count}, work.metric);
     settle<k>(work);
     parts_[p].centered = parts_[p].centered && are_centered<k>(work);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "derham/core/cancel.hpp"
 #include "derham/core/types.hpp"
 
 #include <charconv>
@@ -32,7 +33,8 @@ class Cursor {
   }
 
   /// Moves to the first token of the next line that has one; stays if it stands on one. False at the end of the file.
-  bool next_line() noexcept {
+  bool next_line() {
+    if (++lines_met_ % 256 == 0) poll_cancel();
     while (at_line_end()) {
       if (at_ == end_) return false;
       if (*at_ == '\n')
@@ -170,6 +172,7 @@ class Cursor {
   std::string name_;
   char comment_;
   bool names_bytes_ = false;
+  unsigned lines_met_ = 0;
 };
 
 /// `bytes` in single quotes, at most 40 of them, everything but printable ASCII as \xNN: safe to print anywhere.

@@ -1,5 +1,7 @@
 #include "derham/io/text_writer.hpp"
 
+#include "derham/core/cancel.hpp"
+
 #include <algorithm>
 
 namespace derham {
@@ -16,6 +18,7 @@ TextWriter& TextWriter::put(std::string_view bytes) {
 }
 
 void TextWriter::flush() {
+  poll_cancel();
   file_.write({buffer_.get(), used_});
   used_ = 0;
 }

@@ -1,6 +1,7 @@
 // This follows Mullen, Memari, de Goes, Desbrun, "HOT: Hodge-optimized triangulations", 2011.
 #include "derham/operators/hot_weights.hpp"
 
+#include "derham/core/cancel.hpp"
 #include "derham/core/disjoint_sets.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
@@ -99,6 +100,7 @@ void center(const std::vector<Index>& component, VectorXd& w) {
 /// A solution of (H + penalty AᵀSA) x = y with the sum over the facets that miss something; H is made regular by `pin`.
 VectorXd newton_step(const Problem& problem, const Matrix& pin, double penalty, const VectorXd& missing,
                      const VectorXd& gradient) {
+  poll_cancel();
   Matrix hessian = problem.H + pin;
   if (penalty > 0) {
     const VectorXd active = (missing.array() > 0).select(penalty * problem.size, 0.0);

@@ -1,6 +1,7 @@
 #include "derham/operators/weak_laplacian.hpp"
 
 #include "derham/boundary/eigen.hpp"
+#include "derham/core/cancel.hpp"
 #include "derham/core/error.hpp"
 #include "derham/core/text.hpp"
 #include "derham/geometry/naming.hpp"
@@ -30,6 +31,7 @@ void require_shape(const SparseMatrix& M, Index size, int k) {
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 void add_block(const SparseMatrix& A, Index row, Index column, Triplets& entries) {
+  poll_cancel();
   for (Eigen::Index i = 0; i < A.outerSize(); ++i)
     for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
       entries.emplace_back(static_cast<int>(row + entry.row()), static_cast<int>(column + entry.col()), entry.value());
@@ -70,6 +72,7 @@ SparseMatrix weak_laplace_de_rham(const HodgeStar<n>& star, int k) {
     const SparseMatrix d = derivative(K, k);
     result = d.transpose() * detail::diagonal_matrix(star.diagonal(k + 1)) * d;
   }
+  poll_cancel();
   if (k > 0) {
     const SparseMatrix flux = detail::diagonal_matrix(star.diagonal(k)) * derivative(K, k - 1);
     result += SparseMatrix(flux * detail::diagonal_matrix(star.inverse_diagonal(k - 1)) * flux.transpose());
@@ -89,6 +92,7 @@ SparseMatrix weak_laplace_de_rham(const HodgeStar<n>& star, const FormSpace<n>& 
     const SparseMatrix d = derivative(K, k) * E;
     result = d.transpose() * detail::diagonal_matrix(star.diagonal(k + 1)) * d;
   }
+  poll_cancel();
   if (k > 0) {
     const SparseMatrix flux =
         E.transpose() * detail::diagonal_matrix(star.diagonal(k)) * derivative(K, k - 1) * space.extension(k - 1);
