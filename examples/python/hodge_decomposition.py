@@ -17,10 +17,10 @@ print(K)
 print("Euler characteristic", K.euler_characteristic, "manifold", K.check().verdict)
 assert K.euler_characteristic == 2 - 2 * genus
 
-weights = K.hot_weights().weights
-print("star of edges:", K.star_verdict(1).definiteness, "before,", K.star_verdict(1, "power", weights=weights).definiteness)
-star = K.star(1, "power", weights=weights).diagonal()
-root = sparse.diags_array(np.sqrt(star))  # in the norm of the star, least squares are those of root @ …
+power = {"kind": "power", "weights": K.hot_weights().weights}
+print("star of edges:", K.star_verdict(1).definiteness, "without weights,", K.star_verdict(1, **power).definiteness, "with them")
+star = K.star(1, **power)
+root = star.sqrt()  # in the norm of the star, least squares are those of root @ …
 
 
 def nearest(A: sparse.sparray, w: np.ndarray) -> np.ndarray:
@@ -31,22 +31,21 @@ def nearest(A: sparse.sparray, w: np.ndarray) -> np.ndarray:
 
 w = np.random.default_rng(1).standard_normal(K.size(1))
 exact = nearest(K.d(0), w)
-coexact = nearest(K.star_inverse(1, "power", weights=weights) @ K.d(1).T, w)
+coexact = nearest(K.star_inverse(1, **power) @ K.d(1).T, w)
 harmonic = w - exact - coexact
 
 parts = np.array([exact, coexact, harmonic])
-products = (parts * star) @ parts.T / ((w * star) @ w)
-print("squared norms", np.diag(products).round(4), "sum", np.trace(products).round(12))
-print("products     ", abs(products - np.diag(np.diag(products))).max())
-assert np.allclose(products, np.diag(np.diag(products)), atol=1e-12)
+products = parts @ star @ parts.T / (w @ star @ w)
+norms = np.diag(products)
+print("squared norms", norms.round(4), "sum", norms.sum().round(12), "products", f"{abs(products - np.diag(norms)).max():.0e}")
+assert np.allclose(products, np.diag(norms), atol=1e-12)
 
-print("d harmonic   ", abs(K.d(1) @ harmonic).max())
-print("δ harmonic   ", abs(K.d(0).T @ (star * harmonic)).max())
-assert max(abs(K.d(1) @ harmonic).max(), abs(K.d(0).T @ (star * harmonic)).max()) < 1e-10
+residuals = abs(K.d(1) @ harmonic).max(), abs(K.d(0).T @ star @ harmonic).max()
+print("of the harmonic part d is {:.0e} and ⋆δ {:.0e}".format(*residuals))
+assert max(residuals) < 1e-10
 
-A = K.weak_laplacian(1, "power", weights=weights)
-M = K.star(1, "power", weights=weights)
-smallest = linalg.eigsh(A.tocsc(), k=2 * genus + 2, M=M.tocsc(), sigma=-0.01, return_eigenvectors=False)
-dimension = int((abs(smallest) < 1e-9).sum())
-print("eigenvalues of Δ", np.sort(abs(smallest)).round(4), "harmonic forms", dimension)
-assert dimension == 2 * genus  # β_1, twice the genus
+A, M = K.weak_laplacian(1, **power).tocsc(), star.tocsc()
+eigenvalues = linalg.eigsh(A, k=2 * genus + 2, M=M, sigma=-0.01, return_eigenvectors=False)
+dimension = int((abs(eigenvalues) < 1e-9).sum())
+print("smallest eigenvalues of Δ", np.sort(abs(eigenvalues)).round(4), "so harmonic forms:", dimension)
+assert dimension == 2 * genus

@@ -7,12 +7,13 @@ Results = gradient of scores + cycles of three + cycles that no triangle fills. 
 from itertools import combinations
 
 import numpy as np
+import scipy.sparse as sparse
 import scipy.sparse.linalg as linalg
 
 import derham
 
 
-def least_squares(A: np.ndarray, y: np.ndarray) -> np.ndarray:
+def least_squares(A: sparse.sparray, y: np.ndarray) -> np.ndarray:
     return linalg.lsqr(A, y, atol=1e-15, btol=1e-15)[0]
 
 
@@ -25,14 +26,14 @@ def parts(K: derham.Complex, y: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.
 
 random = np.random.default_rng(1)
 
-# Everybody plays everybody: the score is the mean margin of all games, and no cycle is without triangles
+# Everybody plays everybody: scores are mean margins, and triangles fill every cycle
 teams = 8
 K = derham.Complex(list(combinations(range(teams), 3)))
 margin = random.integers(-9, 10, (teams, teams))
 margin = margin - margin.T  # margin[i, j]: by how much j beats i
 i, j = K.simplices(1).T
 scores = least_squares(K.d(0), margin[i, j])
-mean_margins = margin.sum(axis=0) / teams
+mean_margins = margin.mean(axis=0)
 print("all play all, best first:", np.argsort(-scores), "scores", np.round(np.sort(scores - scores.mean())[::-1], 3))
 gradient, curl, harmonic = parts(K, margin[i, j])
 print(f"squared norms: gradient {gradient @ gradient:.3f}, curl {curl @ curl:.3f}, harmonic {harmonic @ harmonic:.0e}")
@@ -45,8 +46,8 @@ K = derham.Complex(np.column_stack([ring, ring + 1, ring + 2]) % teams)
 strength = random.standard_normal(teams)
 fair = K.d(0) @ strength
 scissors = K.boundary(2)[:, [4]] @ np.array([0.7])  # three teams that beat each other in turn
-(i, j), escher = K.simplices(1).T, np.zeros(K.size(1))
-escher[:] = (j - i + teams // 2) % teams - teams // 2  # each beats the one before it, and the one before that by twice as much
+i, j = K.simplices(1).T
+escher = (j - i + teams // 2) % teams - teams // 2  # all beat the one before them by 1, and the one before that by 2
 for found, expected in zip(parts(K, fair + scissors + escher), (fair, scissors, escher)):
     print(f"norm {np.linalg.norm(found):.6f}, expected {np.linalg.norm(expected):.6f}")
     assert np.allclose(found, expected)
