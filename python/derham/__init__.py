@@ -10,12 +10,12 @@ False
 
 from . import errors  # first: the compiled half raises them
 from . import generate
-from ._derham import set_thread_count, thread_count
 from ._derham import version as __version__
 from .complex import Complex, read
 from .errors import Error, FileError, GeometryError, InputError, LimitError, TopologyError
 from .exchange import from_meshio, to_meshio, to_pyvista
 from .point_clouds import rips
+from .threads import set_thread_count, thread_count
 
 __all__ = [
     "Complex",

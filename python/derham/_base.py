@@ -1,4 +1,4 @@
-"""What all rooms of Complex share: degrees, shapes, and arrays as the compiled half takes them."""
+"""What all rooms of Complex share: degrees, sides, the shapes of forms, sets of simplices."""
 
 from __future__ import annotations
 
@@ -9,38 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _derham
+from ._arguments import Floats, Integers, float_array, index_dtype, index_list, shown
 from .errors import InputError, TopologyError
 
 Side: TypeAlias = Literal["primal", "dual"]
-Floats: TypeAlias = npt.NDArray[np.float64]
-#: Indices: of 64 bits in a build with DERHAM_INDEX64, but that is not the type checker's business.
-Integers: TypeAlias = npt.NDArray[np.int32]
-
-#: The type of indices of simplices and vertices.
-index_dtype: np.dtype[Any] = np.dtype(np.int32 if _derham.index_bits == 32 else np.int64)
-
-
-def float_array(values: npt.ArrayLike, name: str) -> Floats:
-    """Real numbers in C order; itself if it is one already. InputError for anything else."""
-    array = np.asarray(values)
-    if array.dtype.kind not in "fiub":
-        raise InputError(f"{name} is an array of {array.dtype}; expected real numbers")
-    return np.ascontiguousarray(array, dtype=np.float64)
-
-
-def index_array(values: npt.ArrayLike, name: str) -> Integers:
-    """Indices in C order; itself if it is one already. InputError if they are no integers or do not fit."""
-    array = np.asarray(values)
-    if array.size == 0 and array.dtype.kind == "f":
-        array = array.astype(index_dtype)
-    if array.dtype.kind not in "iu":
-        raise InputError(f"{name} is an array of {array.dtype}; expected integers")
-    limits = np.iinfo(index_dtype)
-    if array.dtype.itemsize >= index_dtype.itemsize and array.dtype != index_dtype and array.size:
-        low, high = array.min(), array.max()
-        if low < limits.min or high > limits.max:
-            raise InputError(f"{name} holds {high if high > limits.max else low}; expected at most {limits.max}")
-    return np.ascontiguousarray(array, dtype=index_dtype)
 
 
 def smallest_offsets(last: int) -> np.dtype[Any]:
@@ -72,6 +44,8 @@ class Base:
 
     def size(self, k: int) -> int:
         """|K_k|; 0 outside of 0 <= k <= n."""
+        if not isinstance(k, (int, np.integer)):
+            raise InputError(f"the degree k is {shown(k)}; expected a whole number")
         return self._sizes[k] if 0 <= k < len(self._sizes) else 0
 
     def _degree(self, k: int, low: int = 0, high: int | None = None, name: str = "k") -> int:
@@ -79,14 +53,14 @@ class Base:
         if isinstance(k, (int, np.integer)) and low <= k <= high:
             return int(k)
         expected = f"expected {low} to {high} in this complex" if low <= high else "there is none in this complex"
-        raise InputError(f"the degree {name} is {k!r}; {expected} of dimension {self.dimension}")
+        raise InputError(f"the degree {name} is {shown(k)}; {expected} of dimension {self.dimension}")
 
     def _side(self, side: str) -> bool:
         """Whether the side is dual. Dual cells have an orientation where the complex has one."""
+        if not isinstance(side, str) or side not in ("primal", "dual"):
+            raise InputError(f"the side is {shown(side)}; expected 'primal' or 'dual'")
         if side == "primal":
             return False
-        if side != "dual":
-            raise InputError(f"the side is {side!r}; expected 'primal' or 'dual'")
         if not self._core.is_orientable():
             raise TopologyError("the complex is not orientable, so its dual cells have no coherent orientation")
         return True
@@ -112,23 +86,29 @@ class Base:
             raise InputError(f"{name} has shape {array.shape}; expected one form, of shape ({array.shape[0]},)")
         return array
 
-    def _result(self, out: Floats | None, shape: tuple[int, ...]) -> Floats:
-        """A new array, or `out` if it is one to write to."""
+    def _result(self, out: Floats | None, shape: tuple[int, ...], x: Floats) -> Floats:
+        """A new array, or `out` if it is one to write to and none of the memory of the argument x."""
         if out is None:
             return np.empty(shape)
+        if not isinstance(out, np.ndarray):
+            raise InputError(f"out is {shown(out)}; expected an array of shape {shape}")
         if out.shape != shape or out.dtype != np.float64 or not out.flags.c_contiguous or not out.flags.writeable:
             raise InputError(
                 f"out is an array of {out.dtype} of shape {out.shape}; expected a writable C-ordered one of float64 of "
                 f"shape {shape}"
             )
+        if np.shares_memory(out, x):
+            raise InputError("out shares memory with the argument, which is read while out is written")
         return out
 
     def _sets(self, simplices: Mapping[int, npt.ArrayLike]) -> list[list[int]]:
         """A set of simplices by degree as the compiled half takes it."""
+        if not isinstance(simplices, Mapping):
+            raise InputError(f"the set of simplices is {shown(simplices)}; expected a mapping from degrees to indices")
         lists: list[list[int]] = [[] for _ in self._sizes]
         for k, indices in simplices.items():
-            array = np.unique(index_array(indices, f"the set of {k}-simplices"))
             k = self._degree(k)
+            array = np.unique(index_list(indices, f"the set of {k}-simplices"))
             if array.size and (array[0] < 0 or array[-1] >= self._sizes[k]):
                 wrong = array[0] if array[0] < 0 else array[-1]
                 raise InputError(f"there is no {k}-simplex {wrong}; expected 0 to {self._sizes[k] - 1}")

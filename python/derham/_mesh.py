@@ -8,7 +8,8 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from ._base import Base, Integers, index_array
+from ._arguments import Integers, flag, index_list, shown
+from ._base import Base
 from .errors import InputError
 from .spaces import FormSpace, Refinement
 
@@ -58,8 +59,8 @@ class Mesh(Base):
         found = [i for i, p in enumerate(parts) if getattr(p, column) == part and degree in (None, p.degree)]
         if len(found) != 1:
             known = ", ".join(f"{p.name!r} (number {p.number}, degree {p.degree})" for p in parts) or "none"
-            raise InputError(f"{len(found) or 'no'} parts have the {column} {part!r}; there are {known}")
-        simplices, coefficients = self._core.tagged_chain(found[0], coherent)
+            raise InputError(f"{len(found) or 'no'} parts have the {column} {shown(part)}; there are {known}")
+        simplices, coefficients = self._core.tagged_chain(found[0], flag(coherent, "coherent"))
         chain = np.zeros(self._sizes[parts[found[0]].degree], np.int64)
         chain[simplices] = coefficients
         return chain
@@ -71,7 +72,7 @@ class Mesh(Base):
         """
         facets: Integers | None = None
         if not isinstance(prescribed, str):
-            facets = index_array(() if prescribed is None else prescribed, "prescribed")
+            facets = index_list(() if prescribed is None else prescribed, "prescribed")
         elif prescribed != "boundary":
             raise InputError(f"prescribed is {prescribed!r}; expected 'boundary', None, or the indices of facets")
         self_: Any = self

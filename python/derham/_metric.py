@@ -10,7 +10,8 @@ import numpy.typing as npt
 import scipy.sparse as sparse
 
 from . import _derham
-from ._base import Base, Floats, Integers, float_array, index_array
+from ._arguments import Floats, Integers, float_array, index_list, one_of, real_number, shown
+from ._base import Base
 from .errors import InputError
 from .reports import DualReport, DualVerdict, HotWeights, QualityReport, StarReport
 
@@ -89,7 +90,7 @@ class Metric(Base):
 
         Raises   InputError unless n-k <= 3 and simplices are in [0, |K_k|); GeometryError naming a flat simplex
         """
-        cells = self._core.dual_cells(self._degree(k), index_array(np.atleast_1d(simplices), "simplices"))
+        cells = self._core.dual_cells(self._degree(k), index_list(simplices, "simplices"))
         return [DualCell(p, tuple(map(tuple, a)), tuple(map(tuple, b))) for p, a, b in cells]
 
     def star(
@@ -115,6 +116,7 @@ class Metric(Base):
         array([12., 12., 12.])
         """
         k = self._degree(k)
+        one_of(kind, STAR_KINDS, "the kind of star")
         if kind == "whitney":
             data, indices, pointers = self._core.whitney_mass(k, self._material(material))
             return sparse.csr_array((data, indices, pointers), shape=(self._sizes[k],) * 2, copy=False)
@@ -155,6 +157,7 @@ class Metric(Base):
         ('not positive', 4)
         """
         k = self._degree(k)
+        one_of(kind, STAR_KINDS, "the kind of star")
         if kind == "whitney":
             return StarReport(k, *self._core.whitney_report(k, self._material(material)))
         return StarReport(k, *self._star(kind, weights, material).report(k))
@@ -172,16 +175,20 @@ class Metric(Base):
         >>> bool(K.star_verdict(1)), bool(K.star_verdict(1, "power", weights=K.hot_weights().weights))
         (False, True)
         """
-        weights, energy_before, energy, before, after, excluded, advice = self._core.hot_weights(margin)
+        weights, energy_before, energy, before, after, excluded, advice = self._core.hot_weights(
+            real_number(margin, "margin")
+        )
         return HotWeights(weights, energy_before, energy, tuple(before), tuple(after), excluded, advice)
 
     def _star(self, kind: str, weights: npt.ArrayLike | None, material: Material | None) -> _derham.Star:
-        if kind not in STAR_KINDS or kind == "whitney":
-            raise InputError(f"the kind of star is {kind!r}; expected a diagonal one of {', '.join(STAR_KINDS[:-1])}")
+        if not isinstance(kind, str) or kind not in STAR_KINDS[:-1]:
+            raise InputError(f"the kind of star is {shown(kind)}; expected a diagonal one of {', '.join(STAR_KINDS[:-1])}")
         if weights is not None and kind != "power":
             raise InputError(f"weights are given for the {kind} star; only kind='power' has weights")
         if weights is not None:
             weights = float_array(weights, "weights")
+            if weights.shape != (self._sizes[0],):
+                raise InputError(f"weights have shape {weights.shape}; expected ({self._sizes[0]},), one for every vertex")
         plain = weights is None and material is None
         if plain and ("star", kind) in self._kept:
             kept: _derham.Star = self._kept["star", kind]
@@ -198,8 +205,15 @@ class Metric(Base):
         rows: Integers | None = None
         numbers: Any = material
         if isinstance(material, tuple):
+            if len(material) != 2:
+                raise InputError(
+                    f"the material is a tuple of {len(material)}; expected a pair of numbers or tensors and the row of every "
+                    "top simplex, or an array"
+                )
             numbers, tags = material
-            rows = index_array(tags, "the rows of the material")
+            rows = index_list(tags, "the rows of the material")
+            if rows.shape != (self._sizes[-1],):
+                raise InputError(f"the rows of the material have shape {rows.shape}; expected ({self._sizes[-1]},)")
         values = float_array(numbers, "material")
         if values.ndim in (0, 2):
             values = values[np.newaxis]

@@ -11,7 +11,8 @@ import numpy.typing as npt
 import scipy.sparse as sparse
 
 from . import _derham
-from ._base import Floats, Integers, Side, float_array
+from ._arguments import Floats, Integers, flag, float_array, one_of, shown, whole_number
+from ._base import Side
 from ._metric import Material, Metric, StarKind
 from ._topology import Topology
 from .errors import GeometryError, InputError
@@ -19,6 +20,9 @@ from .spaces import FormSpace
 
 #: A function of points (count, m) at once, or its value where it is constant.
 Field: TypeAlias = "Callable[[Floats], npt.ArrayLike] | npt.ArrayLike"
+
+#: The highest order of a quadrature rule: a higher one takes longer to make than anybody waits.
+MAX_ORDER = 200
 
 
 class MixedLaplacian(NamedTuple):
@@ -134,6 +138,8 @@ class Operators(Topology, Metric):
         )
         if space is None:
             return MixedLaplacian(sigma, matrix, mass)
+        if not isinstance(space, FormSpace):
+            raise InputError(f"space is {shown(space)}; expected a form space of this complex")
         if space.complex is not self:
             raise InputError("the form space is of another complex")
         free_sigma = space.free(k - 1) if k else space.free(0)[:0]
@@ -161,9 +167,8 @@ class Operators(Topology, Metric):
         0.25
         """
         k = self._degree(k)
-        if not (isinstance(order, (int, np.integer)) and order >= 0):
-            raise InputError(f"the order is {order!r}; expected 0 or more")
-        nodes = self._core.nodes(k, int(order))
+        order, flux = whole_number(order, "the order", 0, MAX_ORDER), flag(flux, "flux")
+        nodes = self._core.nodes(k, order)
         m, width = nodes.shape[2], comb(nodes.shape[2], k)
         if flux and (k != self.dimension - 1 or m != self.dimension):
             raise InputError(
@@ -172,7 +177,7 @@ class Operators(Topology, Metric):
         values = _values(f, nodes.reshape(-1, m), m if flux else width)
         if flux:  # i_X of the volume form: without dx^j the component (-1)^j X_j
             values = (values * (-1.0) ** np.arange(m))[:, ::-1]
-        return self._core.integrate(k, int(order), np.ascontiguousarray(values))
+        return self._core.integrate(k, order, np.ascontiguousarray(values))
 
     def locate(self, points: npt.ArrayLike) -> tuple[Integers, Floats]:
         """The top simplices that points are in, and their barycentric coordinates there; -1 outside.
@@ -182,12 +187,12 @@ class Operators(Topology, Metric):
         Shape    points (count, m); (count,) and (count, n+1)
         Raises   InputError on a wrong shape; GeometryError without positions
         """
-        x = float_array(points, "points")
-        if x.ndim != 2 or x.shape[1] != self.ambient_dimension:
-            raise InputError(f"points have shape {x.shape}; expected (count, {self.ambient_dimension})")
         locator: _derham.Locator | None = self._kept.get("locator")
         if locator is None:
             locator = self._kept["locator"] = _derham.Locator(self._core)
+        x = float_array(points, "points")
+        if x.ndim != 2 or x.shape[1] != self.ambient_dimension:
+            raise InputError(f"points have shape {x.shape}; expected (count, {self.ambient_dimension})")
         if self.ambient_dimension == self.dimension:
             return locator.locate(x)
         simplex, barycentric, _ = locator.nearest(x)
@@ -202,7 +207,8 @@ class Operators(Topology, Metric):
         Raises   InputError on a wrong shape; GeometryError naming flat top simplices
         Source   Whitney 1957, §IV.27
         """
-        form = self._one_form(w, self._degree(k), name="w")
+        k = self._degree(k)
+        form = self._one_form(w, k, name="w")
         if points is None:
             count = self._sizes[-1]
             simplex: Integers = np.arange(count, dtype=self.simplices(0).dtype)
@@ -220,8 +226,7 @@ class Operators(Topology, Metric):
         Exact    for constant forms
         Source   Hirani 2003, §5.8 (pp)
         """
-        if kind not in ("whitney", "pd", "pp"):
-            raise InputError(f"the kind of sharp is {kind!r}; expected whitney, pd or pp")
+        one_of(kind, ("whitney", "pd", "pp"), "the kind of sharp")
         return self._core.sharp(kind, self._one_form(w, self._degree(1)))
 
     def flat(self, X: npt.ArrayLike, kind: Literal["ppp", "dpp", "dpd"] = "ppp") -> Floats:
@@ -232,8 +237,7 @@ class Operators(Topology, Metric):
         Exact    for constant fields, "ppp" for linear ones
         Source   Hirani 2003, §5.4 to §5.6
         """
-        if kind not in ("ppp", "dpp", "dpd"):
-            raise InputError(f"the kind of flat is {kind!r}; expected ppp, dpp or dpd")
+        one_of(kind, ("ppp", "dpp", "dpd"), "the kind of flat")
         vectors = float_array(X, "X")
         m = self.ambient_dimension or self.dimension
         expected = (self._sizes[0] if kind == "ppp" else self._sizes[-1], m)
@@ -256,8 +260,8 @@ class Operators(Topology, Metric):
         """
         k = self._degree(k, 1)
         form = self._one_form(w, k)
-        if trace not in ("mean", "upwind"):
-            raise InputError(f"the trace is {trace!r}; expected mean or upwind")
+        one_of(trace, ("mean", "upwind"), "the trace")
+        order = whole_number(order, "the order", 0, MAX_ORDER)
         if self.metric_source == "edge_lengths_squared":
             raise GeometryError("a vector field in space needs positions, but the metric is one of edge lengths")
         m, upwind = self.ambient_dimension, trace == "upwind"

@@ -9,7 +9,8 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sparse
 
-from ._base import Base, Floats, Integers, Side, index_array, index_dtype, read_only, smallest_offsets
+from ._arguments import Floats, Integers, array_of, index_array, index_dtype, signed_dtype
+from ._base import Base, Side, read_only, smallest_offsets
 from .errors import InputError
 from .reports import ManifoldDefect, ManifoldReport
 
@@ -101,13 +102,13 @@ class Topology(Base):
         SignedIndex(index=array([ 0,  1, -1], dtype=int32), sign=array([-1,  1,  0], dtype=int8))
         """
         array = index_array(tuples, "tuples")
-        if array.ndim == 1 and array.size:
+        if array.ndim == 1 and np.ndim(tuples) == 1 and 1 <= array.size <= self.dimension + 1:
             index, sign = self._core.find(array.reshape(1, -1))
             return SignedIndex(int(index[0]), int(sign[0]))
         if array.ndim != 2 or not 1 <= array.shape[1] <= self.dimension + 1:
             raise InputError(
                 f"tuples have shape {array.shape}; expected (count, k+1) with 0 <= k <= {self.dimension}, a row for "
-                "every simplex"
+                "every simplex, or (k+1,)"
             )
         return SignedIndex(*self._core.find(array))
 
@@ -171,7 +172,7 @@ class Topology(Base):
 
     def _table(self, k: int, dtype: npt.DTypeLike) -> tuple[npt.NDArray[Any], Integers, Integers]:
         """Values, indices and pointers of ∂_k by columns, which are those of d_{k-1} by rows."""
-        dtype = np.dtype(dtype)
+        dtype = signed_dtype(dtype)
         found: tuple[npt.NDArray[Any], Integers, Integers] | None = self._kept.get(("table", k, dtype))
         if found is None:
             found = self._kept["table", k, dtype] = self._new_table(k, dtype)
@@ -205,7 +206,7 @@ class Topology(Base):
             result = self.apply_boundary(self._form(w, k, side), self.dimension - k, out)
             return np.negative(result, out=result) if (self.dimension - k) % 2 else result
         x = self._form(w, k)
-        y = self._result(out, (self._sizes[k + 1], *x.shape[1:]))
+        y = self._result(out, (self._sizes[k + 1], *x.shape[1:]), x)
         self._core.apply_coboundary(k, x, y)
         return y
 
@@ -218,7 +219,7 @@ class Topology(Base):
         """
         k = self._degree(k, 1)
         x = self._form(c, k, name="c")
-        y = self._result(out, (self._sizes[k - 1], *x.shape[1:]))
+        y = self._result(out, (self._sizes[k - 1], *x.shape[1:]), x)
         self._core.apply_boundary(k, x, y)
         return y
 
@@ -227,17 +228,23 @@ class Topology(Base):
 
         The integral of a k-form over it is their dot product; its boundary is `boundary(k) @ chain`.
 
-        Shape    tuples (count, k+1); the result (|K_k|,)
-        Raises   InputError naming a tuple that is no simplex of K
+        Shape    tuples (count, k+1), coefficients (count,) or one; the result (|K_k|,)
+        Raises   InputError naming a tuple that is no simplex of K, or for coefficients that are not whole
 
         >>> import derham
         >>> K = derham.Complex([(0, 1, 2)])
         >>> K.boundary(1) @ K.chain([(0, 1), (1, 2)])
         array([-1,  0,  1])
         """
-        index, sign = self.index(np.atleast_2d(np.asarray(tuples)))
-        result = np.zeros(self._sizes[np.atleast_2d(np.asarray(tuples)).shape[1] - 1], np.int64)
-        np.add.at(result, index, sign * np.asarray(coefficients, np.int64))
+        rows = np.atleast_2d(index_array(tuples, "tuples"))
+        index, sign = self.index(rows)
+        whole = array_of(coefficients, "coefficients")
+        if whole.shape not in ((), index.shape) or whole.dtype.kind not in "iu":
+            raise InputError(
+                f"coefficients are an array of {whole.dtype} of shape {whole.shape}; expected integers, one or {index.shape}"
+            )
+        result = np.zeros(self._sizes[rows.shape[1] - 1], np.int64)
+        np.add.at(result, index, sign * whole.astype(np.int64))
         return result
 
     def incidence(self, k: int, m: int) -> sparse.csr_array:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from os import PathLike, fspath
+from os import PathLike
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _derham
-from ._base import Integers, float_array, index_array, index_dtype
+from ._arguments import Integers, flag, float_array, format_name, index_array, index_dtype, path_text, shown
 from ._mesh import Mesh
 from ._operators import Operators
 from .errors import InputError
@@ -53,8 +53,10 @@ class Complex(Operators, Mesh):
         positions = _positions(points, 2, "points", "(vertices, m)")
         vertex_count = -1 if positions is None else len(positions)
         places = _positions(corners, 3, "corners", "(simplices, n+1, m)")
-        lengths = None if edge_lengths_squared is None else float_array(edge_lengths_squared, "edge_lengths_squared")
+        lengths = _positions(edge_lengths_squared, 1, "edge_lengths_squared", "(edges,)")
         rows, ends = _rows(simplices)
+        if ends is None and places is not None and places.shape[:2] != rows.shape:
+            raise InputError(f"corners have shape {places.shape}; expected {rows.shape} and the dimension of space")
         if ends is None:
             core = _derham.Complex(rows, vertex_count, positions, places, lengths)
         elif places is None and lengths is None:
@@ -86,7 +88,8 @@ class Complex(Operators, Mesh):
 
         Raises   InputError if the format cannot hold the mesh; FileError if the file cannot be written
         """
-        self._core.write(fspath(path), format, binary, gmsh_41)
+        encoding = None if binary is None else flag(binary, "binary")
+        self._core.write(path_text(path), format_name(format), encoding, flag(gmsh_41, "gmsh_41"))
 
     def __repr__(self) -> str:
         space = {
@@ -109,7 +112,7 @@ class Complex(Operators, Mesh):
 
     def __reduce__(self) -> tuple[Any, ...]:
         if not self.is_pure:
-            raise TypeError("a complex that is not pure cannot be pickled; pickle what it was made from")
+            return _restored, (self._maximal(), self.points, None, None)
         lengths = self.edge_lengths_squared() if self.metric_source == "edge_lengths_squared" else None
         corners = None
         if self.metric_source == "corners":
@@ -118,8 +121,16 @@ class Complex(Operators, Mesh):
             corners[negative, -2:] = corners[negative, :-3:-1]
         return _restored, (self.oriented_simplices(), self.points, lengths, corners)
 
+    def _maximal(self) -> list[tuple[int, ...]]:
+        """The simplices that are no faces, those of top degree first and positively oriented."""
+        rows = [tuple(row) for row in self.oriented_simplices().tolist()]
+        for k in reversed(range(self.dimension)):
+            alone = np.diff(self.incidence(k, k + 1).indptr) == 0
+            rows += [tuple(row) for row in self.simplices(k)[alone].tolist()]
+        return rows
 
-def _restored(rows: Integers, points: Any, lengths: Any, corners: Any) -> Complex:
+
+def _restored(rows: Any, points: Any, lengths: Any, corners: Any) -> Complex:
     return Complex(rows, points, lengths, corners=corners)
 
 
@@ -142,7 +153,13 @@ def read(
 
     Raises   FileError naming the line if the file cannot be read; InputError if its simplices are no complex
     """
-    return Complex._of(_derham.read(fspath(path), format, triangulate, corner_nodes, planar, drop_unused))
+    flags = [
+        flag(triangulate, "triangulate"),
+        flag(corner_nodes, "corner_nodes"),
+        flag(planar, "planar"),
+        flag(drop_unused, "drop_unused"),
+    ]
+    return Complex._of(_derham.read(path_text(path), format_name(format), *flags))
 
 
 def _positions(values: npt.ArrayLike | None, ndim: int, name: str, expected: str) -> Any:
@@ -156,8 +173,13 @@ def _positions(values: npt.ArrayLike | None, ndim: int, name: str, expected: str
 
 def _rows(simplices: Any) -> tuple[Integers, Integers | None]:
     """(rows, None) of one length, or (vertices, ends) of several."""
-    if not isinstance(simplices, np.ndarray):
-        tuples = [tuple(row) for row in simplices]
+    if not hasattr(simplices, "__array__"):  # data frames and tensors have one
+        try:
+            tuples = [tuple(row) for row in simplices]
+        except TypeError:
+            raise InputError(
+                f"simplices are {shown(simplices)}; expected (count, n+1), the vertices of a simplex in every row"
+            ) from None
         lengths = [len(row) for row in tuples]
         if len(set(lengths)) > 1:
             if min(lengths) == 0:

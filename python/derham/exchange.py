@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from ._base import Integers
+from ._arguments import Integers, float_array, index_array, shown
 from .errors import GeometryError, InputError
 
 if TYPE_CHECKING:
@@ -24,16 +24,22 @@ def from_meshio(mesh: Any, *, planar: bool = False) -> Complex:
     """
     from .complex import Complex
 
+    if not hasattr(mesh, "cells") or not hasattr(mesh, "points"):
+        raise InputError(f"the mesh is {shown(mesh)}; expected one of meshio, with points and cells")
     found: dict[str, list[npt.NDArray[Any]]] = {}
     for block in mesh.cells:
         if block.type not in _CELLS:
             raise InputError(f"the mesh has cells of type {block.type!r}; expected {', '.join(_CELLS)}")
-        found.setdefault(block.type, []).append(np.asarray(block.data))
+        found.setdefault(block.type, []).append(index_array(block.data, "the cells"))
     if not found:
         raise InputError("the mesh has no cells; expected simplices")
     rows = np.concatenate(found[max(found, key=_CELLS.index)])
     used, rows = np.unique(rows, return_inverse=True)
-    points = np.asarray(mesh.points, float)[used]
+    points = float_array(mesh.points, "the points of the mesh")
+    if used.size and not 0 <= used[0] <= used[-1] < len(points):
+        wrong = used[0] if used[0] < 0 else used[-1]
+        raise InputError(f"the mesh has a cell with vertex {wrong}; expected 0 to {len(points) - 1}")
+    points = points[used]
     if planar:
         if points.shape[1] != 3 or points[:, 2].any():
             raise InputError("the mesh is not planar: third coordinates are missing or not 0")
@@ -67,6 +73,10 @@ def to_pyvista(K: Complex) -> Any:
 
 
 def _points_and_rows(K: Complex) -> tuple[npt.NDArray[np.float64], Integers]:
+    from .complex import Complex
+
+    if not isinstance(K, Complex):
+        raise InputError(f"K is {shown(K)}; expected a complex")
     if K.points is None:
         raise GeometryError("the complex has no points to draw")
     if K.dimension > 3 or K.ambient_dimension > 3:

@@ -2,22 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
 from . import _derham
+from ._arguments import float_array, index_array, shown, whole_number
 from .complex import Complex
 from .errors import InputError
 
 
+def _made(generator: Callable[..., _derham.Complex], *arguments: Any) -> Complex:
+    """What a compiled generator makes of arguments; InputError if they are no numbers that it takes."""
+    try:
+        return Complex._of(generator(*arguments))
+    except TypeError:
+        given = ", ".join(map(shown, arguments))
+        expected = str(generator.__doc__).partition(" ->")[0]
+        raise InputError(f"the arguments are {given}; expected {expected}, with integers of 32 bits") from None
+
+
+def _core(a: Complex) -> _derham.Complex:
+    if not isinstance(a, Complex):
+        raise InputError(f"the argument is {shown(a)}; expected a complex")
+    return a._core
+
+
 def _cells(dimension: int, cells: int | Sequence[int]) -> list[int]:
     """One number stands for all axes."""
-    if isinstance(cells, (int, np.integer)):
-        return [int(cells)] * max(dimension, 0)
-    if len(cells) != dimension:
-        raise InputError(f"there are {len(cells)} numbers of cells; expected one, or {dimension}, one per axis")
-    return [int(count) for count in cells]
+    dimension = whole_number(dimension, "the dimension", 1, 6)
+    numbers = index_array(cells, "cells")
+    if np.ndim(cells) == 0:
+        return [int(numbers[0])] * dimension
+    if numbers.shape != (dimension,):
+        raise InputError(f"there are {len(numbers)} numbers of cells; expected one, or {dimension}, one per axis")
+    return [int(count) for count in numbers]
+
+
+def _lengths(lengths: Sequence[float]) -> list[float]:
+    numbers = float_array(lengths, "lengths")
+    return [float(length) for length in numbers.reshape(-1)]
 
 
 def box(
@@ -41,7 +66,7 @@ def box(
     >>> derham.generate.box(2, (3, 2)).sizes
     (12, 23, 12)
     """
-    return Complex._of(_derham.box(_cells(dimension, cells), list(lengths), jitter, seed))
+    return _made(_derham.box, _cells(dimension, cells), _lengths(lengths), jitter, seed)
 
 
 def periodic_box(
@@ -53,32 +78,32 @@ def periodic_box(
     seed: int = 1,
 ) -> Complex:
     """The box with opposite sides identified, a flat n-torus; at least 3 cells along every axis."""
-    return Complex._of(_derham.periodic_box(_cells(dimension, cells), list(lengths), jitter, seed))
+    return _made(_derham.periodic_box, _cells(dimension, cells), _lengths(lengths), jitter, seed)
 
 
 def ball(dimension: int, layers: int, radius: float = 1) -> Complex:
     """The solid ball of R^n in shells: (n+1)! layers^n simplices, n = 1 to 6."""
-    return Complex._of(_derham.ball(dimension, layers, radius))
+    return _made(_derham.ball, dimension, layers, radius)
 
 
 def icosphere(level: int, radius: float = 1) -> Complex:
     """The sphere in R³: an icosahedron, every triangle cut into four `level` times."""
-    return Complex._of(_derham.icosphere(level, radius))
+    return _made(_derham.icosphere, level, radius)
 
 
 def torus(segments: int, sides: int, major: float = 1, minor: float = 0.4) -> Complex:
     """The torus of revolution about the z axis in R³: 2 segments · sides triangles."""
-    return Complex._of(_derham.torus(segments, sides, major, minor))
+    return _made(_derham.torus, segments, sides, major, minor)
 
 
 def solid_torus(rings: int, segments: int, major: float = 1, minor: float = 0.4) -> Complex:
     """The solid torus of revolution about the z axis: 18 rings² segments tetrahedra."""
-    return Complex._of(_derham.solid_torus(rings, segments, major, minor))
+    return _made(_derham.solid_torus, rings, segments, major, minor)
 
 
 def clifford_torus(a: int, b: int, radius: float = 1) -> Complex:
     """The flat torus in R⁴."""
-    return Complex._of(_derham.clifford_torus(a, b, radius))
+    return _made(_derham.clifford_torus, a, b, radius)
 
 
 def a_star_lattice(dimension: int, cells: int, scale: float = 1) -> Complex:
@@ -86,7 +111,7 @@ def a_star_lattice(dimension: int, cells: int, scale: float = 1) -> Complex:
 
     Source   Conway & Sloane, "Low-dimensional lattices VI", 1992
     """
-    return Complex._of(_derham.a_star_lattice(dimension, cells, scale))
+    return _made(_derham.a_star_lattice, dimension, cells, scale)
 
 
 def bcc_lattice(cells: int, cell_length: float = 1) -> Complex:
@@ -94,7 +119,7 @@ def bcc_lattice(cells: int, cell_length: float = 1) -> Complex:
 
     Source   Sommerville 1923
     """
-    return Complex._of(_derham.bcc_lattice(cells, cell_length))
+    return _made(_derham.bcc_lattice, cells, cell_length)
 
 
 def voxels(spec: str) -> Complex:
@@ -104,97 +129,97 @@ def voxels(spec: str) -> Complex:
     >>> derham.generate.voxels("3x3x1-1,1,0").sizes
     (32, 112, 128, 48)
     """
-    return Complex._of(_derham.voxels(spec))
+    return _made(_derham.voxels, spec)
 
 
 def example() -> Complex:
     """Two regular tetrahedra: the smallest mesh that shows everything."""
-    return Complex._of(_derham.example())
+    return _made(_derham.example)
 
 
 def regular_simplex(dimension: int) -> Complex:
     """One regular n-simplex of edge length 1, n = 1 to 6."""
-    return Complex._of(_derham.regular_simplex(dimension))
+    return _made(_derham.regular_simplex, dimension)
 
 
 def simplex_boundary(dimension: int) -> Complex:
     """S^n as the n+2 facets of the regular simplex in the unit sphere, n = 0 to 6."""
-    return Complex._of(_derham.simplex_boundary(dimension))
+    return _made(_derham.simplex_boundary, dimension)
 
 
 def cross_polytope(dimension: int) -> Complex:
     """S^n as the 2^(n+1) facets of the cross polytope, n = 0 to 6."""
-    return Complex._of(_derham.cross_polytope(dimension))
+    return _made(_derham.cross_polytope, dimension)
 
 
 def cell_600() -> Complex:
     """S³ as the 600 tetrahedra of the 600-cell. Source: Coxeter, "Regular polytopes", §8.7"""
-    return Complex._of(_derham.cell_600())
+    return _made(_derham.cell_600)
 
 
 def cycle(size: int) -> Complex:
     """S¹ as a polygon; no positions."""
-    return Complex._of(_derham.cycle(size))
+    return _made(_derham.cycle, size)
 
 
 def path(size: int) -> Complex:
     """An interval of `size` edges; no positions."""
-    return Complex._of(_derham.path(size))
+    return _made(_derham.path, size)
 
 
 def sphere(dimension: int) -> Complex:
     """S^n as the boundary of the (n+1)-simplex, n = 0 to 6; no positions."""
-    return Complex._of(_derham.sphere(dimension))
+    return _made(_derham.sphere, dimension)
 
 
 def projective_plane() -> Complex:
     """RP² on 6 vertices."""
-    return Complex._of(_derham.projective_plane())
+    return _made(_derham.projective_plane)
 
 
 def klein_bottle() -> Complex:
     """The Klein bottle on 8 vertices."""
-    return Complex._of(_derham.klein_bottle())
+    return _made(_derham.klein_bottle)
 
 
 def csaszar_torus() -> Complex:
     """The torus on 7 vertices (Möbius 1861, Császár 1949)."""
-    return Complex._of(_derham.csaszar_torus())
+    return _made(_derham.csaszar_torus)
 
 
 def moebius_strip() -> Complex:
     """The Möbius strip on 5 vertices."""
-    return Complex._of(_derham.moebius_strip())
+    return _made(_derham.moebius_strip)
 
 
 def annulus() -> Complex:
     """The annulus on 6 vertices."""
-    return Complex._of(_derham.annulus())
+    return _made(_derham.annulus)
 
 
 def complex_projective_plane() -> Complex:
     """CP² on 9 vertices. Source: Kühnel & Banchoff 1983"""
-    return Complex._of(_derham.complex_projective_plane())
+    return _made(_derham.complex_projective_plane)
 
 
 def poincare_sphere() -> Complex:
     """The Poincaré sphere on 16 vertices. Source: Björner & Lutz 2000"""
-    return Complex._of(_derham.poincare_sphere())
+    return _made(_derham.poincare_sphere)
 
 
 def lens_space(p: int, q: int) -> Complex:
     """The lens space L(p, q): H_1 = Z_p."""
-    return Complex._of(_derham.lens_space(p, q))
+    return _made(_derham.lens_space, p, q)
 
 
 def grid_torus(dimension: int, cells: int = 3) -> Complex:
     """T^n as a periodic box without positions, n = 1 to 6."""
-    return Complex._of(_derham.grid_torus(dimension, cells))
+    return _made(_derham.grid_torus, dimension, cells)
 
 
 def disjoint_union(a: Complex, b: Complex) -> Complex:
     """a and b side by side: the vertices of b follow those of a."""
-    return Complex._of(_derham.disjoint_union(a._core, b._core))
+    return _made(_derham.disjoint_union, _core(a), _core(b))
 
 
 def product(a: Complex, b: Complex) -> Complex:
@@ -206,19 +231,19 @@ def product(a: Complex, b: Complex) -> Complex:
     >>> derham.generate.product(derham.generate.sphere(2), derham.generate.sphere(2)).sizes
     (16, 84, 216, 240, 96)
     """
-    return Complex._of(_derham.product(a._core, b._core))
+    return _made(_derham.product, _core(a), _core(b))
 
 
 def cone(a: Complex) -> Complex:
     """The join with one new vertex; no positions."""
-    return Complex._of(_derham.cone(a._core))
+    return _made(_derham.cone, _core(a))
 
 
 def suspension(a: Complex) -> Complex:
     """The join with two new vertices; no positions."""
-    return Complex._of(_derham.suspension(a._core))
+    return _made(_derham.suspension, _core(a))
 
 
 def barycentric_subdivision(a: Complex) -> Complex:
     """A vertex for every simplex, a simplex for every flag, with positions if a has them."""
-    return Complex._of(_derham.barycentric_subdivision(a._core))
+    return _made(_derham.barycentric_subdivision, _core(a))

@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from scipy.special import comb
 
 from . import _derham
-from ._base import Floats, Integers, float_array, index_dtype
+from ._arguments import Floats, Integers, float_array, index_dtype, one_of, real_number, whole_number
 from .complex import Complex
 from .errors import GeometryError, InputError, LimitError
 
@@ -50,27 +50,26 @@ def rips(
     (4, 3, 1)
     """
     x = float_array(points, "points")
-    if x.ndim != 2:
-        raise InputError(f"points have shape {x.shape}; expected (count, m)")
+    if x.ndim != 2 or x.shape[1] == 0:
+        raise InputError(f"points have shape {x.shape}; expected (count, m), m at least 1")
     if not np.isfinite(x).all():
         row = int(np.flatnonzero(~np.isfinite(x).all(axis=1))[0])
         raise GeometryError(f"point {row} is {x[row].tolist()}; expected finite coordinates")
+    radius = real_number(radius, "the radius")
     if not radius >= 0:
-        raise InputError(f"the radius is {radius!r}; expected a length of 0 or more")
-    if not (isinstance(dimension, (int, np.integer)) and 0 <= dimension <= 6):
-        raise InputError(f"the dimension is {dimension!r}; expected 0 to 6")
-    if not limit >= 0:
-        raise InputError(f"the limit is {limit!r}; expected a number of simplices")
-    if backend not in (None, "gudhi", "numpy"):
-        raise InputError(f"the backend is {backend!r}; expected 'gudhi', 'numpy' or None")
+        raise InputError(f"the radius is {radius}; expected a length of 0 or more")
+    dimension = whole_number(dimension, "the dimension", 0, 6)
+    limit = whole_number(limit, "the limit", 0, 2**63)
+    if backend is not None:
+        one_of(backend, ("gudhi", "numpy"), "the backend")
     vertices = np.arange(len(x), dtype=index_dtype).reshape(-1, 1)
     if len(x) == 0 or dimension == 0:
         return Complex(vertices)
     edges = _edges(x, radius, limit)
     if backend is None:
-        backend = "gudhi" if find_spec("gudhi") and _at_most(edges, int(dimension)) <= limit else "numpy"
+        backend = "gudhi" if find_spec("gudhi") and _at_most(edges, dimension) <= limit else "numpy"
     cliques = _cliques_of_gudhi if backend == "gudhi" else _cliques
-    return _complex([vertices, edges, *cliques(len(x), edges, int(dimension), limit)])
+    return _complex([vertices, edges, *cliques(len(x), edges, dimension, limit)])
 
 
 def _edges(x: Floats, radius: float, limit: int) -> Integers:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy.sparse as sparse
 
 from . import _derham
-from ._base import Integers
-from .errors import InputError
+from ._arguments import Integers
+from .errors import InputError, TopologyError
 
 if TYPE_CHECKING:
     from .complex import Complex
@@ -54,10 +54,18 @@ class Refinement:
     def __init__(self, coarse: Complex) -> None:
         if not 1 <= coarse.dimension <= 4:
             raise InputError(f"the dimension of the complex is {coarse.dimension}; expected 1 to 4")
+        if not coarse.is_pure:
+            raise TopologyError("a refinement needs a pure complex: some maximal simplices have lower dimension than others")
         self.coarse = coarse
         self._core = _derham.Refinement(coarse._core)
         #: The fine complex, with the metric and the parts of the coarse one.
         self.fine: Complex = coarse._of(self._core.fine())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Refinement, (self.coarse,)
+
+    def __repr__(self) -> str:
+        return f"derham.Refinement from {self.coarse.sizes} to {self.fine.sizes} simplices"
 
     def prolongation(self, k: int) -> sparse.csr_array:
         """P: the integrals of the Whitney form of a coarse k-form over the fine simplices. Shape |fine K_k| × |K_k|."""

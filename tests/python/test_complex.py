@@ -8,6 +8,7 @@ import itertools
 import multiprocessing
 import pickle
 import threading
+import weakref
 
 import numpy as np
 import pytest
@@ -168,3 +169,72 @@ def test_repr() -> None:
     assert repr(K) == "derham.Complex of dimension 2 in space of dimension 2: 9, 16, 8 simplices"
     assert "<td>16</td>" in K._repr_html_()
     assert "without a metric" in repr(derham.generate.klein_bottle())
+
+
+@pytest.mark.parametrize(
+    "rows", [[(0, 1, 2), (3, 2)], [(5, 4, 3, 6), (0, 1, 2), (2, 4), (7,)], [(0, 2, 1), (1, 2, 3), (3, 4), (4, 5)]], ids=str
+)
+def test_complexes_that_are_not_pure_are_pickled(rows: list[tuple[int, ...]]) -> None:
+    points = np.random.default_rng(1).random((max(map(max, rows)) + 1, 3))
+    K = derham.Complex(rows, points)
+    L = pickle.loads(pickle.dumps(K))
+    assert K.sizes == L.sizes and not L.is_pure and (K.signs == L.signs).all() and (K.points == L.points).all()
+    for k in range(K.dimension + 1):
+        assert (K.simplices(k) == L.simplices(k)).all()
+
+
+def test_reports_spaces_and_errors_are_pickled() -> None:
+    K = derham.Complex(derham.generate.ball(3, 1).simplices(3), derham.generate.ball(3, 1).points)
+    R = K.refined()
+    S, Q = pickle.loads(pickle.dumps((K.form_space(), R)))
+    assert (S.free(1) == K.form_space().free(1)).all()
+    assert abs(Q.prolongation(1) - R.prolongation(1)).max() == 0 and repr(Q) == repr(R)
+    for report in (K.check(), K.star_verdict(1), K.quality(), K.dual_report(), K.hot_weights()):
+        assert repr(pickle.loads(pickle.dumps(report))) == repr(report)
+    for error in (derham.InputError("a", 3), derham.FileError("p:3: b", "p", 3, "write"), derham.GeometryError("c")):
+        for other in (pickle.loads(pickle.dumps(error)), copy.copy(error)):
+            assert (type(other), str(other), vars(other)) == (type(error), str(error), vars(error))
+
+
+@pytest.mark.parametrize("method", ["spawn", "forkserver"])
+def test_other_processes(method: str) -> None:
+    with multiprocessing.get_context(method).Pool(1) as pool:
+        K = derham.generate.ball(2, 3)
+        (there,) = pool.map(K.dual_volumes, [1])
+        assert (there == K.dual_volumes(1)).all()
+        with pytest.raises(derham.InputError, match="degree k is 3"):
+            pool.map(K.dual_volumes, [3])
+
+
+def test_threads_in_the_same_complex() -> None:
+    K = derham.generate.box(3, 6, jitter=0.3)
+    w = [np.random.default_rng(1).standard_normal(size) for size in K.sizes]
+
+    def work(found: list[bytes]) -> None:
+        arrays = [
+            K.apply_d(w[1], 1), K.wedge(w[1], 1, w[1], 1), K.star(1).data, K.star(2, "whitney").data, K.dual_volumes(0),
+            K.locate(K.corners().mean(axis=1))[1], K.d(1, dtype=float).data, K.interior(lambda x: x, w[1], 1),
+            K.boundary_complex()[0].points, K.refined().fine.signs, K.mixed_laplacian(1).matrix.data, K.incidence(0, 3).indices,
+        ]  # fmt: skip
+        found.extend(a.tobytes() for a in arrays)
+
+    results: list[list[bytes]] = [[] for _ in range(5)]
+    threads = [threading.Thread(target=work, args=(found,)) for found in results[1:]]
+    for thread in threads:
+        thread.start()
+    for count in (1, 3, 2):
+        derham.set_thread_count(count)
+    for thread in threads:
+        thread.join()
+    work(results[0])
+    assert all(found == results[0] for found in results) and len(results[0]) == 12
+
+
+def test_a_complex_is_freed_with_its_last_reference() -> None:
+    K = derham.generate.box(3, 2)
+    K.locate([(0.1, 0.1, 0.1)]), K.star(1), K.d(1)
+    space, reference = K.form_space(), weakref.ref(K)
+    del K
+    assert reference() is space.complex
+    del space
+    assert reference() is None

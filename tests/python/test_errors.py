@@ -52,6 +52,41 @@ REFUSED: list[tuple[type[Exception], str, Callable[[], object]]] = [
     (OSError, r"nowhere", lambda: derham.read("/nowhere.off")),
     (ValueError, r"no format 'xyz'; expected", lambda: derham.read("/nowhere.off", "xyz")),
     (ValueError, r"tells no format", lambda: K.write("mesh.unknown")),
+    (ValueError, r"the path .* holds a zero character", lambda: K.write("mesh.off\0.txt")),
+    (ValueError, r"binary is 1; expected True or False", lambda: K.write("mesh.off", binary=1)),  # type: ignore[arg-type]
+    (ValueError, r"simplices has masked entries", lambda: derham.Complex(np.ma.masked_array([(0, 1)], [(True, False)]))),
+    (ValueError, r"w has masked entries", lambda: K.apply_d(np.ma.masked_less(np.arange(16.0), 3), 1)),
+    (ValueError, r"w makes no array: .*inhomogeneous", lambda: K.apply_d([[1], [1, 2]], 1)),
+    (ValueError, r"simplices are None; expected \(count, n\+1\)", lambda: derham.Complex(None)),  # type: ignore[arg-type]
+    (ValueError, r"simplices are \[0, 1, 2\]; expected", lambda: derham.Complex([0, 1, 2])),
+    (ValueError, r"corners have shape \(3, 1, 1\); expected \(1, 3\)",
+     lambda: derham.Complex([(0, 1, 2)], corners=np.ones((3, 1, 1)))),
+    (ValueError, r"edge_lengths_squared have shape \(1, 3\); expected \(edges,\)",
+     lambda: derham.Complex([(0, 1, 2)], edge_lengths_squared=[[1, 1, 1]])),
+    (ValueError, r"dtype is uint8; the entries 1 and -1 need", lambda: K.d(0, dtype=np.uint8)),
+    (ValueError, r"dtype is bool", lambda: K.boundary(1, bool)),
+    (ValueError, r"dtype is 'colour'; expected a type", lambda: K.boundary(1, "colour")),
+    (ValueError, r"coefficients are an array of float64 of shape \(\)", lambda: K.chain([(0, 1)], 0.5)),
+    (ValueError, r"coefficients .* of shape \(3,\); expected integers, one or \(1,\)",
+     lambda: K.chain([(0, 1)], [1, 2, 3])),
+    (ValueError, r"tuples have shape \(4,\)", lambda: K.find((0, 1, 2, 3))),
+    (ValueError, r"the set of simplices is \[0\]; expected a mapping", lambda: K.link([0])),  # type: ignore[arg-type]
+    (ValueError, r"weights have shape \(9, 1\); expected \(9,\)", lambda: K.star(1, "power", weights=np.zeros((9, 1)))),
+    (ValueError, r"the material is a tuple of 3; expected a pair", lambda: K.star(1, material=(1, 2, 3))),  # type: ignore[arg-type]
+    (ValueError, r"the rows of the material have shape \(1,\)", lambda: K.star(1, material=(1, 2))),
+    (ValueError, r"prescribed has shape \(1, 2\)", lambda: K.form_space([[0, 1]])),
+    (ValueError, r"simplices has shape \(1, 1\)", lambda: K.dual_cells(1, [[0]])),
+    (ValueError, r"the order is 1000000; expected 0 to 200", lambda: K.integrate(1.0, 2, order=10**6)),
+    (ValueError, r"the order is None", lambda: K.interior([1, 0], np.ones(16), 1, order=None)),  # type: ignore[arg-type]
+    (ValueError, r"margin is 'a'; expected a real number", lambda: K.hot_weights("a")),  # type: ignore[arg-type]
+    (ValueError, r"space is 5; expected a form space", lambda: K.mixed_laplacian(1, space=5)),  # type: ignore[arg-type]
+    (derham.GeometryError, r"has no metric", lambda: M.locate([(0, 0)])),
+    (derham.TopologyError, r"refinement needs a pure complex", lambda: derham.Complex([(0, 1, 2), (2, 3)]).refined()),
+    (ValueError, r"cells is an array of float64; expected integers", lambda: derham.generate.box(2, 2.5)),  # type: ignore[arg-type]
+    (ValueError, r"the arguments are 3, 1\.5, 1; expected ball\(dimension: int, layers: int",
+     lambda: derham.generate.ball(3, 1.5)),  # type: ignore[arg-type]
+    (ValueError, r"the argument is None; expected a complex", lambda: derham.generate.cone(None)),  # type: ignore[arg-type]
+    (ValueError, r"number of threads is 0; expected 1 to", lambda: derham.set_thread_count(0)),
 ]
 
 

@@ -51,7 +51,9 @@ def test_every_generator_makes_a_sound_complex() -> None:
     }
     made = 0
     for name, function in inspect.getmembers(derham.generate, inspect.isfunction):
-        if name.startswith("_") or name in {"disjoint_union", "product", "cone", "suspension", "barycentric_subdivision"}:
+        if function.__module__ != "derham.generate" or name.startswith("_"):
+            continue
+        if name in {"disjoint_union", "product", "cone", "suspension", "barycentric_subdivision"}:
             continue
         K = function(*arguments.get(name, ()))
         assert K.check().verdict == "yes", name

@@ -95,9 +95,9 @@ def random_mesh(n: int, seed: int) -> derham.Complex:
 class Peer:
     """The lowest elements of scikit-fem on the mesh of a complex with n = m, and the k-forms that are their basis functions.
 
-    `cochains[k]` has as columns the integrals of those, from their definition: of a vector field along an edge that has it as
-    its degree of freedom, in Nédélec's space; its flux through a facet in Raviart and Thomas's. In the plane, where Whitney's
-    edge elements are the one as well as the other, k = 1 is Nédélec's.
+    `cochains[k]` has as columns the integrals of those, from their definition: of a vector field along an edge that has it
+    as its degree of freedom, in Nédélec's space; its flux through a facet in Raviart and Thomas's. In the plane, where
+    Whitney's edge elements are the one as well as the other, k = 1 is Nédélec's.
     """
 
     def __init__(self, fem: ModuleType, K: derham.Complex) -> None:
