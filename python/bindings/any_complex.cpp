@@ -20,16 +20,23 @@ Geometry<n> geometry_of(const SimplicialComplex<n>& K, const MeshData& mesh) {
 }
 
 template <int n>
-Body<n> body_of(const MeshData& mesh) {
+void orient_as(SimplicialComplex<n>& K, std::span<const Sign> signs) {
+  if (!signs.empty()) K.orient_by(std::vector<double>(signs.begin(), signs.end()));
+}
+
+template <int n>
+Body<n> body_of(const MeshData& mesh, std::span<const Sign> signs) {
   const bool empty = mesh.simplices.empty() && mesh.vertex_count <= 0;
   const auto K = empty ? std::make_shared<SimplicialComplex<n>>()
                        : std::make_shared<SimplicialComplex<n>>(mesh.simplices, mesh.vertex_count);
   Body<n> body{K, {}};
   if constexpr (n <= max_metric_dimension) {
-    if (!has_metric(mesh) || !K->is_pure()) return body;
-    body.geometry = std::make_shared<const Geometry<n>>(geometry_of(*K, mesh));
-    orient_by_volume(*K, *body.geometry);
+    if (has_metric(mesh) && K->is_pure()) {
+      body.geometry = std::make_shared<const Geometry<n>>(geometry_of(*K, mesh));
+      orient_by_volume(*K, *body.geometry);
+    }
   }
+  orient_as(*K, signs);
   return body;
 }
 
@@ -77,9 +84,9 @@ void restore_metric(const Body<n>& body, MeshData& mesh) {
 
 }  // namespace
 
-AnyComplex::AnyComplex(MeshData mesh)
+AnyComplex::AnyComplex(MeshData mesh, std::span<const Sign> signs)
     : body_(with_constant<0, max_dimension>(std::max(0, mesh.simplices.dimension()), "the dimension of the simplices",
-                                            [&](auto n) { return Bodies(body_of<n()>(mesh)); })),
+                                            [&](auto n) { return Bodies(body_of<n()>(mesh, signs)); })),
       rest_(std::move(mesh)) {
   visit([this](const auto& body) {
     if (body.complex->is_pure()) rest_.simplices = SimplexList();

@@ -7,6 +7,7 @@
 #include "derham/geometry/mesh_data.hpp"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -30,8 +31,9 @@ class AnyComplex {
 
   /// The complex of the rows of a mesh, oriented by volume where it fills space. It keeps what the lists of the complex and
   /// the metric do not hold: parts, fields, listed simplices of lower dimension, tags.
+  /// signs    (|K_n|,) or empty: every component is oriented as these are
   /// Throws   what SimplicialComplex and Geometry throw
-  explicit AnyComplex(MeshData mesh);
+  explicit AnyComplex(MeshData mesh, std::span<const Sign> signs = {});
 
   /// A complex that another object of the library owns or made.
   template <int n>

@@ -1,18 +1,20 @@
 #include "arrays.hpp"
 #include "rooms.hpp"
 
-#include "derham/boundary/boundary_complex.hpp"
 #include "derham/boundary/manifold.hpp"
 #include "derham/boundary/matrix_free.hpp"
 #include "derham/operators/boundary_metric.hpp"
 
-#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <memory>
+#include <span>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace derham::python {
 namespace {
@@ -22,7 +24,7 @@ void coboundary(const AnyComplex& any, int k, const Values& x, const Output& y) 
       [&] { any.with_complex([&](const auto& K) { apply_coboundary(K, k, span_of(x), span_of(y), columns_of(x)); }); });
 }
 
-void boundary(const AnyComplex& any, int k, const Values& x, const Output& y) {
+void boundary_of(const AnyComplex& any, int k, const Values& x, const Output& y) {
   without_gil(
       [&] { any.with_complex([&](const auto& K) { apply_boundary(K, k, span_of(x), span_of(y), columns_of(x)); }); });
 }
@@ -37,30 +39,37 @@ auto check(const AnyComplex& any) {
   return std::tuple(std::string(name(report.verdict)), report.pure, report.closed, report.orientable, defects);
 }
 
-/// The boundary complex and its inclusion by degree.
-auto boundary_of(const AnyComplex& any) {
-  return any.visit<1>([]<int n>(const Body<n>& body) {
-    auto boundary = boundary_complex(*body.complex);
-    Body<n - 1> found{nullptr, {}};
+/// The boundary as a complex with its metric, if K has one.
+AnyComplex complex_of(const AnyBoundary& any) {
+  return any.visit([]<int n>(const std::shared_ptr<const BoundaryOf<n>>& of) {
+    Body<n - 1> found{std::shared_ptr<const SimplicialComplex<n - 1>>(of, &of->boundary.complex), {}};
     if constexpr (n <= max_metric_dimension)
-      if (body.geometry && boundary.complex.size(0) > 0)
-        found.geometry =
-            std::make_shared<const Geometry<n - 1>>(boundary_geometry(*body.complex, *body.geometry, boundary));
-    found.complex = std::make_shared<const SimplicialComplex<n - 1>>(std::move(boundary.complex));
-    std::vector<Array<Index>> inclusion;
-    for (auto& map : boundary.inclusion) inclusion.push_back(owned(std::move(map)));
-    return std::pair(AnyComplex(std::move(found)), inclusion);
+      if (of->body.geometry && found.complex->size(0) > 0)
+        found.geometry = std::make_shared<const Geometry<n - 1>>(
+            boundary_geometry(*of->body.complex, *of->body.geometry, of->boundary));
+    return AnyComplex(std::move(found));
+  });
+}
+
+/// By degree the indices in K.
+auto inclusion_of(const AnyBoundary& any) {
+  return any.visit([](const auto& of) {
+    std::vector<Array<const Index>> inclusion;
+    for (const auto& map : of->boundary.inclusion) inclusion.push_back(view(std::span<const Index>(map), of));
+    return inclusion;
   });
 }
 
 }  // namespace
 
-void bind_boundary(ComplexClass& complex) {
+void bind_boundary(ComplexClass& complex, BoundaryClass& boundary) {
   using nb::arg;
   complex.def("apply_coboundary", &coboundary, arg("k"), arg("x").noconvert(), arg("y").noconvert());
-  complex.def("apply_boundary", &boundary, arg("k"), arg("x").noconvert(), arg("y").noconvert());
+  complex.def("apply_boundary", &boundary_of, arg("k"), arg("x").noconvert(), arg("y").noconvert());
   complex.def("check", &check);
-  complex.def("boundary_complex", &boundary_of);
+  boundary.def(nb::init<const AnyComplex&>(), arg("complex"));
+  boundary.def("complex", &complex_of);
+  boundary.def("inclusion", &inclusion_of);
 }
 
 }  // namespace derham::python

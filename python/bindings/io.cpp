@@ -1,6 +1,7 @@
 #include "arrays.hpp"
 #include "rooms.hpp"
 
+#include "derham/io/form_picture.hpp"
 #include "derham/io/mesh_format.hpp"
 #include "derham/io/read_mesh.hpp"
 #include "derham/io/unused_vertices.hpp"
@@ -46,6 +47,24 @@ void write(const AnyComplex& any, const std::string& path, const std::optional<s
   });
 }
 
+using NamedForm = std::tuple<std::string, int, Values>;
+
+/// A picture of forms, each with the degree of the simplices that count its values.
+void draw(const AnyComplex& any, const std::string& path, const std::vector<NamedForm>& forms) {
+  any.visit<1, 3>([&]<int n>(const Body<n>& body) {
+    if (!body.geometry || body.geometry->source() != MetricSource::points)
+      throw GeometryError("the complex has no points to draw");
+    without_gil([&] {
+      const SimplicialComplex<n>& K = *body.complex;
+      FormPicture<n> picture(K, body.geometry->ambient_dimension(), body.geometry->points());
+      for (const auto& [name, degree, values] : forms)
+        with_constant<0, n>(degree, "the degree",
+                            [&](auto k) { picture.add(name, PrimalForm<n, k()>(K, copied(values))); });
+      picture.write(path);
+    });
+  });
+}
+
 /// (name, number, degree, members) of every part.
 auto parts(const AnyComplex& any) {
   std::vector<std::tuple<std::string, std::int64_t, int, Array<Index>>> result;
@@ -80,6 +99,7 @@ void bind_io(nb::module_& module, ComplexClass& complex) {
   module.def("read", &read, arg("path"), arg("format").none(), arg("triangulate"), arg("corner_nodes"), arg("planar"),
              arg("drop_unused"));
   complex.def("write", &write, arg("path"), arg("format").none(), arg("binary").none(), arg("gmsh_41"));
+  complex.def("draw", &draw, arg("path"), arg("forms"));
   complex.def("parts", &parts);
   complex.def("fields", &fields);
   complex.def("forms", &forms);

@@ -2,6 +2,7 @@
 #include "matrices.hpp"
 #include "rooms.hpp"
 
+#include "derham/operators/boundary_terms.hpp"
 #include "derham/operators/hot_weights.hpp"
 #include "derham/operators/star_report.hpp"
 #include "derham/operators/weak_laplacian.hpp"
@@ -77,12 +78,23 @@ auto mixed_laplacian(const AnyComplex& any, int k, const MaterialArgument& mater
   });
 }
 
+auto matrix_of_trace(const AnyBoundary& any, int k) {
+  using Arrays = decltype(arrays_of(SparseMatrix()));
+  return any.visit([k]<int n>(const std::shared_ptr<const BoundaryOf<n>>& of) -> Arrays {
+    if constexpr (n > max_metric_dimension)
+      throw InputError(text("the dimension of the complex is ", n, "; expected 1 to ", max_metric_dimension));
+    else
+      return arrays_of(without_gil([&] { return trace_matrix(*of->body.complex, of->boundary, k); }));
+  });
+}
+
 }  // namespace
 
-void bind_operators(ComplexClass& complex, StarClass& star) {
+void bind_operators(ComplexClass& complex, StarClass& star, BoundaryClass& boundary) {
   using nb::arg;
   star.def("report", &report_of_star, arg("k"));
   star.def("weak_laplacian", &weak_laplacian, arg("k"));
+  boundary.def("trace_matrix", &matrix_of_trace, arg("k"));
   complex.def("hot_weights", &weights, arg("margin"));
   complex.def("mixed_laplacian", &mixed_laplacian, arg("k"), arg("material").none());
   complex.def("whitney_mass", &mass, arg("k"), arg("material").none());

@@ -1,9 +1,10 @@
 #include "arrays.hpp"
 #include "rooms.hpp"
 
+#include "derham/geometry/top_volumes.hpp"
 #include "derham/operators/de_rham_map.hpp"
-#include "derham/operators/interior_product.hpp"
 #include "derham/operators/point_locator.hpp"
+#include "derham/operators/quadrature.hpp"
 #include "derham/operators/sharp_and_flat.hpp"
 #include "derham/operators/whitney_map.hpp"
 
@@ -14,7 +15,7 @@
 #include <string>
 #include <tuple>
 
-// Between smooth and discrete forms: integration, interpolation, sharps and flats, contraction.
+// Between smooth and discrete forms: integration, interpolation, sharps and flats.
 namespace derham::python {
 namespace {
 
@@ -45,6 +46,25 @@ auto integrate(const AnyComplex& any, int k, int order, const Values& values) {
       return with_constant<0, n>(k, "the degree k", [&](auto degree) {
         return values_of(R.template components_at_nodes<degree()>(span_of(values)));
       });
+    }));
+  });
+}
+
+/// The integrals of f times the volume form over the top simplices, f given at the nodes.
+auto integrate_density(const AnyComplex& any, int order, const Values& values) {
+  return any.with_metric([&]<int n>(const Body<n>& body) {
+    return owned(without_gil([&] {
+      if (!body.complex->is_orientable())
+        throw TopologyError("a density is a form of top degree only on an orientable complex; this one is not");
+      const auto rule = simplex_rule<n>(order);
+      std::vector<double> result = top_volumes(*body.complex, *body.geometry).volume;
+      const double* next = values.data();
+      for (double& integral : result) {
+        double mean = 0;
+        for (const double weight : rule.weights) mean += weight * *next++;
+        integral *= mean;
+      }
+      return result;
     }));
   });
 }
@@ -153,50 +173,6 @@ auto flat(const AnyComplex& any, const std::string& kind, const Values& X) {
   });
 }
 
-/// A vector field that Python evaluates, one point at a time.
-struct PythonField {
-  nb::object function;
-  std::size_t m;
-
-  std::vector<double> operator()(std::span<const double> x) const {
-    const nb::gil_scoped_acquire held;
-    const auto point = owned(std::vector<double>(x.begin(), x.end()), {1, m});
-    const auto value = nb::cast<Values>(function(point));
-    return copied(value);
-  }
-};
-
-struct ConstantField {
-  std::vector<double> value;
-  const std::vector<double>& operator()(std::span<const double>) const { return value; }
-};
-
-template <int n, class Field>
-std::vector<double> contraction(const Body<n>& body, int k, const Values& w, Field field, bool upwind, int order) {
-  const InteriorProduct<n, Field> i_X(*body.complex, *body.geometry, std::move(field),
-                                      upwind ? Trace::upwind : Trace::mean, order);
-  return with_constant<1, n>(k, "the degree k", [&](auto degree) {
-    return values_of(i_X(PrimalForm<n, degree()>(*body.complex, copied(w))));
-  });
-}
-
-auto contract_constant(const AnyComplex& any, int k, const Values& w, const Values& X, bool upwind, int order) {
-  return any.with_metric<1>([&](const auto& body) {
-    return owned(without_gil([&] { return contraction(body, k, w, ConstantField{copied(X)}, upwind, order); }));
-  });
-}
-
-auto contract(const AnyComplex& any, int k, const Values& w, const nb::typed<nb::callable, nb::object(nb::object)>& X,
-              bool upwind, int order) {
-  return any.with_metric<1>([&](const auto& body) {
-    const PythonField field{X, static_cast<std::size_t>(body.geometry->ambient_dimension())};
-    return owned(without_gil([&] {
-      return contraction(
-          body, k, w, [&field](std::span<const double> x) { return field(x); }, upwind, order);
-    }));
-  });
-}
-
 }  // namespace
 
 void bind_operator_fields(nb::module_& module, ComplexClass& complex) {
@@ -207,13 +183,11 @@ void bind_operator_fields(nb::module_& module, ComplexClass& complex) {
       .def("nearest", &AnyLocator::nearest, arg("points").noconvert());
   complex.def("nodes", &nodes, arg("k"), arg("order"));
   complex.def("integrate", &integrate, arg("k"), arg("order"), arg("values").noconvert());
+  complex.def("integrate_density", &integrate_density, arg("order"), arg("values").noconvert());
   complex.def("interpolate", &interpolate, arg("k"), arg("w").noconvert(), arg("simplex").noconvert(),
               arg("barycentric").noconvert());
   complex.def("sharp", &sharp, arg("kind"), arg("w").noconvert());
   complex.def("flat", &flat, arg("kind"), arg("X").noconvert());
-  complex.def("contract", &contract_constant, arg("k"), arg("w").noconvert(), arg("X").noconvert(), arg("upwind"),
-              arg("order"));
-  complex.def("contract", &contract, arg("k"), arg("w").noconvert(), arg("X"), arg("upwind"), arg("order"));
 }
 
 }  // namespace derham::python

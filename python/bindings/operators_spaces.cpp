@@ -4,6 +4,7 @@
 #include "derham/geometry/refined_mesh.hpp"
 #include "derham/operators/form_space.hpp"
 #include "derham/operators/tagged_chain.hpp"
+#include "derham/operators/tagged_facets.hpp"
 #include "derham/operators/transfer_operators.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -54,6 +55,14 @@ auto tagged(const AnyComplex& any, std::size_t part, bool make_coherent) {
       }
       return std::pair(owned(std::move(simplices)), owned(std::move(coefficients)));
     });
+  });
+}
+
+/// The facets that part number `part` of the mesh tags.
+auto facets_of(const AnyComplex& any, std::size_t part) {
+  return any.with_complex<1, max_metric_dimension>([&](const auto& K) {
+    const MeshData mesh = any.mesh();
+    return owned(tagged_facets(K, mesh, mesh.parts.at(part)));
   });
 }
 
@@ -125,6 +134,7 @@ void bind_operator_spaces(nb::module_& module, ComplexClass& complex) {
   using nb::arg;
   complex.def("form_space", &form_space, arg("facets").none());
   complex.def("tagged_chain", &tagged, arg("part"), arg("coherent"));
+  complex.def("tagged_facets", &facets_of, arg("part"));
   nb::class_<AnyRefinement>(module, "Refinement")
       .def(nb::init<const AnyComplex&>(), arg("complex"))
       .def("fine", &AnyRefinement::fine)

@@ -14,6 +14,7 @@ from ._derham import version as __version__
 from .complex import Complex, read
 from .errors import Error, FileError, GeometryError, InputError, LimitError, TopologyError
 from .exchange import from_meshio, to_meshio, to_pyvista
+from .maps import SimplicialMap
 from .point_clouds import rips
 from .threads import set_thread_count, thread_count
 
@@ -24,6 +25,7 @@ __all__ = [
     "GeometryError",
     "InputError",
     "LimitError",
+    "SimplicialMap",
     "TopologyError",
     "__version__",
     "errors",

@@ -21,6 +21,7 @@ Integers: TypeAlias = npt.NDArray[np.int32]
 
 #: The type of indices of simplices and vertices.
 index_dtype: np.dtype[Any] = np.dtype(np.int32 if _derham.index_bits == 32 else np.int64)
+index_limits = np.iinfo(index_dtype)
 
 
 def shown(value: Any) -> str:
@@ -56,12 +57,11 @@ def index_array(values: npt.ArrayLike, name: str) -> Integers:
         array = array.astype(index_dtype)
     if array.dtype.kind not in "iu":
         raise InputError(f"{name} is an array of {array.dtype}; expected integers")
-    limits = np.iinfo(index_dtype)
     if array.dtype.itemsize >= index_dtype.itemsize and array.dtype != index_dtype and array.size:
         low, high = array.min(), array.max()
-        if low < limits.min or high > limits.max:
-            wrong = high if high > limits.max else low
-            raise InputError(f"{name} holds {wrong}; expected {limits.min} to {limits.max}")
+        if low < index_limits.min or high > index_limits.max:
+            wrong = high if high > index_limits.max else low
+            raise InputError(f"{name} holds {wrong}; expected {index_limits.min} to {index_limits.max}")
     return np.ascontiguousarray(array, dtype=index_dtype)
 
 

@@ -3,26 +3,55 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, TypeAlias
+from copy import copy
+from typing import Any, Literal, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
+import scipy.sparse as sparse
 
 from . import _derham
-from ._arguments import Floats, Integers, float_array, index_dtype, index_list, shown
+from ._arguments import Floats, Integers, float_array, index_dtype, index_limits, index_list, shown
 from .errors import InputError, TopologyError
 
 Side: TypeAlias = Literal["primal", "dual"]
 
+Matrix = TypeVar("Matrix", sparse.csr_array, sparse.csc_array)
+_empty = {kind: kind((0, 0)) for kind in (sparse.csr_array, sparse.csc_array, sparse.dia_array)}
+
 
 def smallest_offsets(last: int) -> np.dtype[Any]:
     """The type of row pointers that scipy keeps as it is: that of the indices while they fit."""
-    return index_dtype if last <= np.iinfo(index_dtype).max else np.dtype(np.int64)
+    return index_dtype if last <= index_limits.max else np.dtype(np.int64)
 
 
 def read_only(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
     array.flags.writeable = False
     return array
+
+
+def compressed(
+    kind: type[Matrix], arrays: tuple[npt.NDArray[Any], Integers, Integers], shape: tuple[int, int]
+) -> Matrix:
+    """The matrix of values, indices and pointers, which are its memory.
+
+    scipy's constructor would look for the least type of index and take ten times as long as a call with a small mesh may:
+    these arrays are sound, so a copy of an empty matrix takes them as they are.
+    """
+    if arrays[1].dtype != arrays[2].dtype:
+        return kind(arrays, shape=shape, copy=False)
+    matrix = copy(_empty[kind])
+    matrix._shape = shape
+    matrix.data, matrix.indices, matrix.indptr = arrays
+    return matrix
+
+
+def diagonal_matrix(diagonal: Floats) -> sparse.dia_array:
+    """The square matrix with this diagonal, which is its memory."""
+    matrix = copy(_empty[sparse.dia_array])
+    matrix._shape = (diagonal.size, diagonal.size)
+    matrix.data, matrix.offsets = diagonal[np.newaxis], np.zeros(1, np.int32)
+    return matrix
 
 
 class Base:

@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import Integers, flag, index_list, shown
+from ._arguments import Integers, flag, index_dtype, index_list, shown
 from ._base import Base
 from .errors import InputError
 from .spaces import FormSpace, Refinement
@@ -54,16 +54,33 @@ class Mesh(Base):
         Shape    (|K_degree|,)
         Raises   InputError naming the parts there are; TopologyError if it cannot be made coherent
         """
+        place, degree = self._part(part, degree)
+        simplices, coefficients = self._core.tagged_chain(place, flag(coherent, "coherent"))
+        chain = np.zeros(self._sizes[degree], np.int64)
+        chain[simplices] = coefficients
+        return chain
+
+    def tagged_facets(self, *parts: str | int) -> Integers:
+        """The facets on the boundary that tagged parts of degree n-1 hold, for `form_space` and `boundary_material`. For a sheet
+        inside of K see `tagged_chain`.
+
+        parts    names or numbers
+        Shape    (facets,), increasing, each once
+        Raises   InputError naming the parts there are, or a simplex that is no facet of K or not on the boundary
+        """
+        places = [self._part(part, self.dimension - 1)[0] for part in parts]
+        found = [self._core.tagged_facets(place) for place in places]
+        return np.unique(np.concatenate([np.zeros(0, index_dtype), *found]))
+
+    def _part(self, part: str | int, degree: int | None) -> tuple[int, int]:
+        """The place of a part in their list, and its degree."""
         column = "number" if isinstance(part, (int, np.integer)) else "name"
         parts = self.parts
         found = [i for i, p in enumerate(parts) if getattr(p, column) == part and degree in (None, p.degree)]
         if len(found) != 1:
             known = ", ".join(f"{p.name!r} (number {p.number}, degree {p.degree})" for p in parts) or "none"
             raise InputError(f"{len(found) or 'no'} parts have the {column} {shown(part)}; there are {known}")
-        simplices, coefficients = self._core.tagged_chain(found[0], flag(coherent, "coherent"))
-        chain = np.zeros(self._sizes[parts[found[0]].degree], np.int64)
-        chain[simplices] = coefficients
-        return chain
+        return found[0], parts[found[0]].degree
 
     def form_space(self, prescribed: Literal["boundary"] | npt.ArrayLike | None = "boundary") -> FormSpace:
         """Forms with boundary conditions: what is prescribed is on the closure of some facets.

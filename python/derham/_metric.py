@@ -11,7 +11,7 @@ import scipy.sparse as sparse
 
 from . import _derham
 from ._arguments import Floats, Integers, float_array, index_list, one_of, real_number, shown
-from ._base import Base
+from ._base import Base, compressed, diagonal_matrix
 from .errors import InputError
 from .reports import DualReport, DualVerdict, HotWeights, QualityReport, StarReport
 
@@ -118,10 +118,9 @@ class Metric(Base):
         k = self._degree(k)
         one_of(kind, STAR_KINDS, "the kind of star")
         if kind == "whitney":
-            data, indices, pointers = self._core.whitney_mass(k, self._material(material))
-            return sparse.csr_array((data, indices, pointers), shape=(self._sizes[k],) * 2, copy=False)
-        diagonal = self._star(kind, weights, material).diagonal(k)
-        return sparse.dia_array((diagonal.reshape(1, -1), [0]), shape=(self._sizes[k],) * 2, copy=False)
+            arrays = self._core.whitney_mass(k, self._material(material))
+            return compressed(sparse.csr_array, arrays, (self._sizes[k],) * 2)
+        return diagonal_matrix(self._star(kind, weights, material).diagonal(k))
 
     def star_inverse(
         self,
@@ -137,8 +136,7 @@ class Metric(Base):
                  inverse is not sparse: factorise it
         """
         k = self._degree(k)
-        diagonal = self._star(kind, weights, material).inverse_diagonal(k)
-        return sparse.dia_array((diagonal.reshape(1, -1), [0]), shape=(self._sizes[k],) * 2, copy=False)
+        return diagonal_matrix(self._star(kind, weights, material).inverse_diagonal(k))
 
     def star_verdict(
         self,

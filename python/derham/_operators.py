@@ -1,10 +1,10 @@
-"""The rooms forms and operators: wedge, δ and Δ, integration and interpolation, sharps and flats, contraction."""
+"""The rooms forms and operators: wedge, δ and Δ, integration and interpolation, sharps and flats."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from math import comb
-from typing import Any, Literal, NamedTuple, TypeAlias
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -12,17 +12,11 @@ import scipy.sparse as sparse
 
 from . import _derham
 from ._arguments import Floats, Integers, flag, float_array, one_of, shown, whole_number
-from ._base import Side
-from ._metric import Material, Metric, StarKind
-from ._topology import Topology
-from .errors import GeometryError, InputError
+from ._base import Side, compressed
+from ._contraction import MAX_ORDER, Contraction, Field
+from ._metric import Material, StarKind
+from .errors import InputError
 from .spaces import FormSpace
-
-#: A function of points (count, m) at once, or its value where it is constant.
-Field: TypeAlias = "Callable[[Floats], npt.ArrayLike] | npt.ArrayLike"
-
-#: The highest order of a quadrature rule: a higher one takes longer to make than anybody waits.
-MAX_ORDER = 200
 
 
 class MixedLaplacian(NamedTuple):
@@ -33,22 +27,53 @@ class MixedLaplacian(NamedTuple):
     mass: sparse.csr_array
 
 
-class Operators(Topology, Metric):
+class Operators(Contraction):
     """Operators on forms, most of which need a metric."""
 
-    def wedge(self, a: npt.ArrayLike, p: int, b: npt.ArrayLike, q: int) -> Floats:
-        """a ∧ b of a primal p-form and a primal q-form: the cup product, made antisymmetric. Needs no metric.
+    def wedge(
+        self, a: npt.ArrayLike, p: int, b: npt.ArrayLike, q: int, *, sides: Side | tuple[Side, Side] = "primal"
+    ) -> Floats:
+        """a ∧ b of a p-form and a q-form. Needs no metric.
 
-        Shape    a (|K_p|,), b (|K_q|,); the result (|K_{p+q}|,)
-        Laws     d(a ∧ b) = da ∧ b + (-1)^p a ∧ db; b ∧ a = (-1)^(pq) a ∧ b. Associative on closed forms only
-        Raises   InputError unless p, q >= 0 and p+q <= n, or on a wrong shape
-        Source   Whitney, "On products in a complex", 1938; Wilson 2007, §5
+        sides    those of a and b, or of both. Primal forms: the cup product, made antisymmetric. With dual forms there is
+                 f ∧ b of a function and a form of any sides, by means of f about every simplex, on the side of the form (of
+                 the second if both are functions); and a ∧ b of dual 1-forms for n = 2. The integral of a primal k-form
+                 ∧ a dual (n-k)-form is `a @ b`
+        Shape    those of forms of these degrees and sides; the result too
+        Laws     of primal forms d(a ∧ b) = da ∧ b + (-1)^p a ∧ db; of all b ∧ a = (-1)^(pq) a ∧ b. Associative on closed
+                 forms only
+        Invalid  Leibniz' rule of functions and forms of different sides, but for constants; products with dual forms
+                 are not exact on constant forms; dual 2-forms of boundary vertices are 0
+        Raises   InputError where there is no such product, or on a wrong shape; TopologyError for dual forms unless K is
+                 orientable and pure
+        Source   Whitney, "On products in a complex", 1938; Wilson 2007, §5; Ptáčková & Velho 2021, §3.1 (polygons)
+
+        >>> import derham
+        >>> K = derham.Complex([(0, 1, 2)])
+        >>> K.wedge([1.0, 2, 6], 0, [1.0], 0, sides=("primal", "dual"))
+        array([3.])
         """
+        if not isinstance(sides, str) and (not isinstance(sides, Sequence) or len(sides) != 2):
+            raise InputError(f"sides is {shown(sides)}; expected 'primal', 'dual', or two of them")
+        a_side, b_side = (sides, sides) if isinstance(sides, str) else sides
+        a_dual, b_dual = self._side(a_side), self._side(b_side)
         p = self._degree(p, name="p")
         q = self._degree(q, 0, self.dimension - p, name="q")
-        result = np.empty(self._sizes[p + q])
-        self._core.apply_wedge(p, self._one_form(a, p, name="a"), q, self._one_form(b, q, name="b"), result)
-        return result
+        x, y = self._one_form(a, p, a_side, "a"), self._one_form(b, q, b_side, "b")
+        if not (a_dual or b_dual):
+            result = np.empty(self._sizes[p + q])
+            self._core.apply_wedge(p, x, q, y, result)
+            return result
+        if p == 0:
+            return self._core.function_wedge(a_dual, x, b_dual, q, y)
+        if q == 0:
+            return self._core.function_wedge(b_dual, y, a_dual, p, x)
+        if self.dimension == 2 and a_dual and b_dual:
+            return self._core.polygon_wedge(x, y)
+        raise InputError(
+            f"there is no product of a {a_side} {p}-form and a {b_side} {q}-form in dimension {self.dimension}; there are "
+            "those of primal forms, of functions with all forms, and of dual 1-forms in dimension 2"
+        )
 
     def codifferential(
         self,
@@ -71,7 +96,7 @@ class Operators(Topology, Metric):
         dual = self._side(side)
         arrays = self._star(kind, weights, material).codifferential(k, dual)
         shape = (self._count(k - 1, dual), self._count(k, dual))
-        return sparse.csr_array(arrays, shape=shape, copy=False)
+        return compressed(sparse.csr_array, arrays, shape)
 
     def laplacian(
         self,
@@ -100,7 +125,7 @@ class Operators(Topology, Metric):
         k = self._degree(k)
         dual = self._side(side)
         arrays = self._star(kind, weights, material).laplacian(k, dual)
-        return sparse.csr_array(arrays, shape=(self._count(k, dual),) * 2, copy=False)
+        return compressed(sparse.csr_array, arrays, (self._count(k, dual),) * 2)
 
     def weak_laplacian(
         self,
@@ -118,7 +143,7 @@ class Operators(Topology, Metric):
         """
         k = self._degree(k)
         arrays = self._star(kind, weights, material).weak_laplacian(k)
-        return sparse.csr_array(arrays, shape=(self._sizes[k],) * 2, copy=False)
+        return compressed(sparse.csr_array, arrays, (self._sizes[k],) * 2)
 
     def mixed_laplacian(
         self, k: int, *, material: Material | None = None, space: FormSpace | None = None
@@ -133,7 +158,7 @@ class Operators(Topology, Metric):
         sigma = self.size(k - 1)
         shape = (sigma + self._sizes[k],) * 2
         matrix, mass = (
-            sparse.csr_array(arrays, shape=shape, copy=False)
+            compressed(sparse.csr_array, arrays, shape)
             for arrays in self._core.mixed_laplacian(k, self._material(material))
         )
         if space is None:
@@ -152,8 +177,8 @@ class Operators(Topology, Metric):
     def integrate(self, f: Field, k: int, *, order: int = 3, flux: bool = False) -> Floats:
         """The de Rham map: the integrals of a smooth k-form over the k-simplices, by a rule exact up to `order`.
 
-        f        a function of points (count, m): its values (count,) for k = 0 and for densities (k = m), its components
-                 (count, C(m, k)) otherwise, those of dx^i ∧ … ∧ dx^j with i < … < j in lexicographic order, for k = 1 so
+        f        a function of points (count, m): its values (count,) for k = 0 and for densities (k = n, times the volume
+                 form of K's own orientation where n < m), its components (count, C(m, k)) otherwise, those of dx^i ∧ … ∧ dx^j with i < … < j in lexicographic order, for k = 1 so
                  a vector field; or these numbers themselves where they are constant
         flux     f is a vector field (count, m), taken as the (n-1)-form of its flux; k = n-1 and m = n
         Shape    (|K_k|,)
@@ -174,7 +199,12 @@ class Operators(Topology, Metric):
             raise InputError(
                 f"the flux of a vector field is a form of degree n-1 where n = m; k is {k}, n {self.dimension}, m {m}"
             )
-        values = _values(f, nodes.reshape(-1, m), m if flux else width)
+        points = nodes.reshape(-1, m)
+        given = f(points) if callable(f) else f
+        if 0 < k == self.dimension < m and np.shape(given) == ((len(points),) if callable(f) else ()):
+            density = np.broadcast_to(float_array(given, "the values of the density"), len(points))
+            return self._core.integrate_density(order, np.ascontiguousarray(density))
+        values = _values(f, given, len(points), m if flux else width)
         if flux:  # i_X of the volume form: without dx^j the component (-1)^j X_j
             values = (values * (-1.0) ** np.arange(m))[:, ::-1]
         return self._core.integrate(k, order, np.ascontiguousarray(values))
@@ -245,59 +275,10 @@ class Operators(Topology, Metric):
             raise InputError(f"X has shape {vectors.shape}; the flat {kind} expects {expected}")
         return self._core.flat(kind, vectors)
 
-    def interior(
-        self, X: Field, w: npt.ArrayLike, k: int, *, trace: Literal["mean", "upwind"] = "mean", order: int = 1
-    ) -> Floats:
-        """The interior product i_X w of a primal k-form with a smooth vector field, by quadrature of Whitney forms.
 
-        X        a vector (m,), or a function of points (count, m); it is called for one point at a time
-        trace    of the values on both sides of a face "mean", or that of the side where X comes from, "upwind", which
-                 stable explicit transport needs
-        Shape    w (|K_k|,); the result (|K_{k-1}|,)
-        Exact    for constant X and w
-        Raises   InputError unless 1 <= k <= n, or on a wrong shape; GeometryError without positions
-        Source   Bossavit 2003; Heumann & Hiptmair 2011 (upwind)
-        """
-        k = self._degree(k, 1)
-        form = self._one_form(w, k)
-        one_of(trace, ("mean", "upwind"), "the trace")
-        order = whole_number(order, "the order", 0, MAX_ORDER)
-        if self.metric_source == "edge_lengths_squared":
-            raise GeometryError("a vector field in space needs positions, but the metric is one of edge lengths")
-        m, upwind = self.ambient_dimension, trace == "upwind"
-        if callable(X):
-            function = X
-
-            def at(point: Any) -> Floats:
-                return np.ascontiguousarray(_values(function, point, m))
-
-            return self._core.contract(k, form, at, upwind, order)
-        vector = float_array(X, "X")
-        if vector.shape != (m,):
-            raise InputError(f"X has shape {vector.shape}; expected a vector ({m},) or a function of points")
-        return self._core.contract(k, form, vector, upwind, order)
-
-    def lie(
-        self, X: Field, w: npt.ArrayLike, k: int, *, trace: Literal["mean", "upwind"] = "mean", order: int = 1
-    ) -> Floats:
-        """The Lie derivative L_X w = d i_X w + i_X dw of a primal k-form; arguments as those of `interior`.
-
-        Laws     d L_X = L_X d; the integral of L_X w over a closed M is zero for n-forms
-        """
-        k = self._degree(k)
-        form = self._one_form(w, k)
-        result = np.zeros(self._sizes[k])
-        if k > 0:
-            result += self.apply_d(self.interior(X, form, k, trace=trace, order=order), k - 1)
-        if k < self.dimension:
-            result += self.interior(X, self.apply_d(form, k), k + 1, trace=trace, order=order)
-        return result
-
-
-def _values(f: Field, points: Floats, width: int) -> Floats:
-    """The values of a field at points, shape (count, width)."""
-    values: Any = float_array(f(points) if callable(f) else f, "the values of the field")
-    count = len(points)
+def _values(f: Field, given: npt.ArrayLike, count: int, width: int) -> Floats:
+    """The values of a field at points, shape (count, width), from what it returned there or is."""
+    values: Any = float_array(given, "the values of the field")
     expected = (count, width)
     if not callable(f):
         values = np.broadcast_to(values, expected) if values.shape in ((), (width,)) else values

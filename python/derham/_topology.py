@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sparse
 
 from ._arguments import Floats, Integers, array_of, index_array, index_dtype, signed_dtype
-from ._base import Base, Side, read_only, smallest_offsets
+from ._base import Side, compressed, read_only, smallest_offsets
+from ._boundary import Boundary
 from .errors import InputError
 from .reports import ManifoldDefect, ManifoldReport
-
-if TYPE_CHECKING:
-    from .complex import Complex
 
 
 class SignedIndex(NamedTuple):
@@ -25,7 +23,7 @@ class SignedIndex(NamedTuple):
     sign: Any
 
 
-class Topology(Base):
+class Topology(Boundary):
     """What needs no metric."""
 
     @property
@@ -36,6 +34,12 @@ class Topology(Base):
     def is_pure(self) -> bool:
         """Whether every maximal simplex has the dimension of the complex."""
         return self._core.is_pure()
+
+    @property
+    def one_sided(self) -> Integers:
+        """The proof that K is not orientable: a closed walk of top simplices, each sharing a facet with the next and the last
+        with the first, along which orientation is reversed. Empty if K is orientable."""
+        return self._core.one_sided()
 
     @property
     def components(self) -> int:
@@ -146,7 +150,7 @@ class Topology(Base):
                [ 1]], dtype=int8)
         """
         k = self._degree(k)
-        return sparse.csc_array(self._table(k, dtype), shape=(self.size(k - 1), self._sizes[k]), copy=False)
+        return compressed(sparse.csc_array, self._table(k, dtype), (self.size(k - 1), self._sizes[k]))
 
     def d(self, k: int, side: Side = "primal", dtype: npt.DTypeLike = np.int8) -> sparse.sparray:
         """d_k, the exterior derivative of k-forms, by rows: the transpose of `boundary(k + 1)`.
@@ -168,7 +172,7 @@ class Topology(Base):
         if self._side(side):
             dual = self.boundary(self.dimension - k, dtype)
             return -dual if (self.dimension - k) % 2 else dual
-        return sparse.csr_array(self._table(k + 1, dtype), shape=(self.size(k + 1), self._sizes[k]), copy=False)
+        return compressed(sparse.csr_array, self._table(k + 1, dtype), (self.size(k + 1), self._sizes[k]))
 
     def _table(self, k: int, dtype: npt.DTypeLike) -> tuple[npt.NDArray[Any], Integers, Integers]:
         """Values, indices and pointers of ∂_k by columns, which are those of d_{k-1} by rows."""
@@ -193,15 +197,30 @@ class Topology(Base):
         pointers = np.arange(0, faces.size + 1, k + 1, dtype=smallest_offsets(faces.size))
         return read_only(values.reshape(-1)), faces.reshape(-1), read_only(pointers)
 
-    def apply_d(self, w: npt.ArrayLike, k: int, side: Side = "primal", out: Floats | None = None) -> Floats:
+    def apply_d(
+        self,
+        w: npt.ArrayLike,
+        k: int,
+        side: Side = "primal",
+        out: Floats | None = None,
+        *,
+        boundary: npt.ArrayLike | None = None,
+    ) -> Floats:
         """d_k w without a matrix, for primal forms on several threads: much faster than `d(k) @ w`.
 
+        boundary of dual forms: the k-form's trace, a dual k-form on the boundary (|∂K_{n-1-k}|,). Dual cells are then closed
+                 there, d(d(w)) = 0 with the trace and its d; else they are open, as if it were 0
         Shape    w (|K_k|,) or (|K_k|, columns); the result (|K_{k+1}|, …), written to `out` if that is given; dual
                  k-forms have a value for every (n-k)-simplex
         Cost     one pass over the face table; the same bits for any number of threads
         Raises   InputError unless 0 <= k < n, or on a wrong shape; TopologyError as `d`
         """
         k = self._degree(k, 0, self.dimension - 1)
+        if boundary is not None:
+            if not self._side(side) or out is not None:
+                raise InputError("boundary is given; expected side='dual' and no out")
+            core, complex, _ = self._boundary()
+            return core.d(k, self._one_form(w, k, side), complex._one_form(boundary, k, side, "boundary"))
         if self._side(side):
             result = self.apply_boundary(self._form(w, k, side), self.dimension - k, out)
             return np.negative(result, out=result) if (self.dimension - k) % 2 else result
@@ -256,10 +275,8 @@ class Topology(Base):
         """
         k, m = self._degree(k), self._degree(m, name="m")
         offsets, indices = self._core.incidence(k, m)
-        pointers = offsets.astype(smallest_offsets(indices.size))
-        return sparse.csr_array(
-            (np.ones(indices.size, np.int8), indices, pointers), shape=(self._sizes[k], self._sizes[m]), copy=False
-        )
+        arrays = np.ones(indices.size, np.int8), indices, offsets.astype(smallest_offsets(indices.size))
+        return compressed(sparse.csr_array, arrays, (self._sizes[k], self._sizes[m]))
 
     def closure(self, simplices: Mapping[int, npt.ArrayLike]) -> dict[int, Integers]:
         """All faces of a set of simplices, and they themselves. A set is a mapping from degrees to indices.
@@ -278,20 +295,6 @@ class Topology(Base):
         """The closure of the star without the star of the closure."""
         return self._by_degree(self._core.link(self._sets(simplices)))
 
-    def boundary_simplices(self) -> dict[int, Integers]:
-        """The simplices on the boundary: the closure of the facets with exactly one coface."""
-        return self._by_degree(self._core.boundary_simplices())
-
-    def boundary_complex(self) -> tuple[Complex, list[Integers]]:
-        """The boundary as a complex of its own, oriented as the boundary of K, with its metric if K has one.
-
-        With it comes the inclusion by degree: `inclusion[k][i]` is the index in K of the boundary's k-simplex i.
-
-        Raises   InputError for n = 0; TopologyError if K is not pure
-        """
-        core, inclusion = self._core.boundary_complex()
-        return self._of(core), inclusion
-
     def check(self) -> ManifoldReport:
         """Whether K is a combinatorial manifold, possibly with boundary, and what is wrong where it is not.
 
@@ -305,10 +308,6 @@ class Topology(Base):
         return ManifoldReport(
             verdict, pure, closed, orientable, tuple(ManifoldDefect(k, tuple(s), d) for k, s, d in defects)
         )
-
-    @classmethod
-    def _of(cls, core: Any) -> Complex:
-        raise NotImplementedError
 
 
 def _text(tuple_: npt.ArrayLike) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from os import PathLike
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from . import _derham
 from ._arguments import Integers, flag, float_array, format_name, index_array, index_dtype, path_text, shown
+from ._base import Side
 from ._mesh import Mesh
 from ._operators import Operators
 from .errors import InputError
@@ -91,6 +92,26 @@ class Complex(Operators, Mesh):
         encoding = None if binary is None else flag(binary, "binary")
         self._core.write(path_text(path), format_name(format), encoding, flag(gmsh_41, "gmsh_41"))
 
+    def write_forms(
+        self,
+        path: str | PathLike[str],
+        forms: Mapping[str, tuple[npt.ArrayLike, int] | tuple[npt.ArrayLike, int, Side]],
+    ) -> None:
+        """Writes a picture of forms for ParaView and VTK, a .vtu file: {name: (w, k)} or {name: (w, k, side)}.
+
+        Functions are data of points. Other forms are data of the cells that are k-simplices (of dual forms: (n-k)-simplices), NaN
+        on all others: cells are the simplices of all degrees, each with its `degree`, `index` and `sign`.
+
+        Raises   InputError unless n and m are 1 to 3, or on a wrong shape; GeometryError without points; FileError if it
+                 cannot be written
+        """
+        named = []
+        for name, (w, k, *side) in forms.items():
+            given = side[0] if side else "primal"
+            dual, k = self._side(given), self._degree(k, name=f"of {name!r}")
+            named.append((name, self.dimension - k if dual else k, self._one_form(w, k, given, name)))
+        self._core.draw(path_text(path), named)
+
     def __repr__(self) -> str:
         space = {
             None: "without a metric",
@@ -111,27 +132,11 @@ class Complex(Operators, Mesh):
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        if not self.is_pure:
-            return _restored, (self._maximal(), self.points, None, None)
-        lengths = self.edge_lengths_squared() if self.metric_source == "edge_lengths_squared" else None
-        corners = None
-        if self.metric_source == "corners":
-            corners = self.corners()
-            negative = self.signs < 0
-            corners[negative, -2:] = corners[negative, :-3:-1]
-        return _restored, (self.oriented_simplices(), self.points, lengths, corners)
-
-    def _maximal(self) -> list[tuple[int, ...]]:
-        """The simplices that are no faces, those of top degree first and positively oriented."""
-        rows = [tuple(row) for row in self.oriented_simplices().tolist()]
-        for k in reversed(range(self.dimension)):
-            alone = np.diff(self.incidence(k, k + 1).indptr) == 0
-            rows += [tuple(row) for row in self.simplices(k)[alone].tolist()]
-        return rows
+        return _restored, (self._core.state(),)
 
 
-def _restored(rows: Any, points: Any, lengths: Any, corners: Any) -> Complex:
-    return Complex(rows, points, lengths, corners=corners)
+def _restored(state: dict[str, Any]) -> Complex:
+    return Complex._of(_derham.Complex.restored(state))
 
 
 def read(

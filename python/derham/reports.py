@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from html import escape
 from typing import Any
@@ -24,6 +25,12 @@ def _in_words(value: Any) -> str:
     return str(value)
 
 
+def table(caption: str, rows: Iterable[tuple[str, str]]) -> str:
+    """For notebooks."""
+    cells = "".join(f"<tr><th>{escape(name)}</th><td>{escape(value)}</td></tr>" for name, value in rows)
+    return f"<table><caption>{escape(caption)}</caption>{cells}</table>"
+
+
 class Report:
     """Written as a small table."""
 
@@ -36,8 +43,7 @@ class Report:
         return "\n".join([type(self).__name__] + [f"  {name:<{width}}  {value}" for name, value in rows])
 
     def _repr_html_(self) -> str:
-        cells = "".join(f"<tr><th>{escape(name)}</th><td>{escape(value)}</td></tr>" for name, value in self._rows())
-        return f"<table><caption>{type(self).__name__}</caption>{cells}</table>"
+        return table(type(self).__name__, self._rows())
 
 
 @dataclass(frozen=True, repr=False, eq=False)

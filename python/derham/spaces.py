@@ -9,7 +9,9 @@ import scipy.sparse as sparse
 
 from . import _derham
 from ._arguments import Integers
+from ._base import compressed
 from .errors import InputError, TopologyError
+from .reports import table
 
 if TYPE_CHECKING:
     from .complex import Complex
@@ -37,11 +39,16 @@ class FormSpace:
         """E, extension by zero. Shape |K_k| × |free(k)|."""
         free = self.free(k)
         pointers = np.arange(len(free) + 1, dtype=free.dtype)
-        return sparse.csc_array((np.ones(len(free)), free, pointers), shape=(self.complex.size(k), len(free)))
+        return compressed(sparse.csc_array, (np.ones(len(free)), free, pointers), (self.complex.size(k), len(free)))
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{len(free)} of {len(free) + len(held)}" for free, held in self._lists)
         return f"derham.FormSpace with {counts} free values by degree"
+
+    def _repr_html_(self) -> str:
+        return table("FormSpace", [
+            (f"free {k}-simplices", f"{len(free):,} of {len(free) + len(held):,}") for k, (free, held) in enumerate(self._lists)
+        ])
 
 
 class Refinement:
@@ -70,9 +77,13 @@ class Refinement:
     def prolongation(self, k: int) -> sparse.csr_array:
         """P: the integrals of the Whitney form of a coarse k-form over the fine simplices. Shape |fine K_k| × |K_k|."""
         arrays = self._core.prolongation(self.coarse._degree(k))
-        return sparse.csr_array(arrays, shape=(self.fine.size(k), self.coarse.size(k)), copy=False)
+        return compressed(sparse.csr_array, arrays, (self.fine.size(k), self.coarse.size(k)))
 
     def restriction(self, k: int) -> sparse.csr_array:
         """R: the sum of the values on the pieces of every coarse simplex. Shape |K_k| × |fine K_k|."""
         arrays = self._core.restriction(self.coarse._degree(k))
-        return sparse.csr_array(arrays, shape=(self.coarse.size(k), self.fine.size(k)), copy=False)
+        return compressed(sparse.csr_array, arrays, (self.coarse.size(k), self.fine.size(k)))
+
+    def _repr_html_(self) -> str:
+        sizes = zip(self.coarse.sizes, self.fine.sizes, strict=True)
+        return table("Refinement", [(f"{k}-simplices", f"{a:,} into {b:,}") for k, (a, b) in enumerate(sizes)])

@@ -94,6 +94,62 @@ def test_pickle_and_copy(metric: str) -> None:
         np.testing.assert_allclose(K.dual_volumes(0), L.dual_volumes(0), rtol=1e-12)
 
 
+MIXED = {
+    "curve and triangle": lambda: derham.Complex([(0, 1, 2), (3, 2)], points=[(0, 0), (1, 0), (0, 1), (1, 1)]),
+    "points and tetrahedron": lambda: derham.Complex([(4,), (3, 1, 0, 2), (5, 6)]),
+    "nothing": lambda: derham.Complex([]),
+    "ends of a path": lambda: derham.generate.path(3).boundary_complex()[0],
+    "boundary of a cube": lambda: derham.generate.box(3, 2).boundary_complex()[0],
+    "dimension 6": lambda: derham.Complex([range(7)], points=np.eye(7)),
+    "Klein bottle": derham.generate.klein_bottle,
+    "refined lengths": lambda: derham.Complex([(0, 2, 1)], edge_lengths_squared=[1, 2, 1]).refined().fine,
+}
+
+
+@pytest.mark.parametrize("make", MIXED.values(), ids=MIXED)
+def test_every_complex_can_be_pickled(make) -> None:  # type: ignore[no-untyped-def]
+    K = make()
+    L = pickle.loads(pickle.dumps(K))
+    assert (K.sizes, K.is_pure, K.metric_source, K.ambient_dimension) == (
+        L.sizes, L.is_pure, L.metric_source, L.ambient_dimension)
+    for k in range(K.dimension + 1):
+        np.testing.assert_array_equal(K.simplices(k), L.simplices(k))
+    np.testing.assert_array_equal(K.signs, L.signs)
+    if K.points is not None:
+        np.testing.assert_array_equal(K.points, L.points)
+    if K.metric_source is not None:
+        np.testing.assert_array_equal(K.volumes(K.dimension), L.volumes(K.dimension))
+
+
+def test_pickles_have_the_rest_of_the_mesh(tmp_path) -> None:  # type: ignore[no-untyped-def]
+    path = tmp_path / "two.msh"
+    path.write_text(
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n$Elements\n3\n"
+        "1 1 2 8 1 2 3\n2 2 2 3 1 1 2 3\n3 2 2 3 1 1 3 4\n$EndElements\n$NodeData\n1\n\"heat\"\n1\n0\n3\n0\n1\n4\n"
+        "1 0.5\n2 1\n3 2\n4 3\n$EndNodeData\n"
+    )
+    K = derham.read(path)
+    L = pickle.loads(pickle.dumps(K))
+    assert K.parts and L.parts == K.parts and L.notes == K.notes
+    np.testing.assert_array_equal(L.fields["heat"], [[0.5], [1], [2], [3]])
+    np.testing.assert_array_equal(K.tagged_chain(8), L.tagged_chain(8))
+
+
+def test_matrices_are_as_scipy_would_make_them() -> None:
+    K = derham.generate.box(3, 2)
+    for A in (K.d(1), K.d(3), K.boundary(2), K.boundary(0), K.d(1, dtype=float), K.incidence(1, 3), K.star(1, "whitney"),
+              K.laplacian(0, "barycentric"), K.form_space().extension(1), K.refined().prolongation(1)):
+        A.check_format(full_check=True)
+        B = type(A)((A.data, A.indices, A.indptr), shape=A.shape)
+        assert vars(A).keys() == vars(B).keys() and A.shape == B.shape and A.dtype == B.dtype
+        assert (A != B).nnz == 0 and (A.T @ A).shape == (A.shape[1],) * 2
+        A.data = 0 * A.data
+    assert abs(K.d(1)).sum() == 3 * K.size(2)  # what is done to one matrix does not show in the next
+    D = K.star(1)
+    E = type(D)((D.data, D.offsets), shape=D.shape)
+    assert vars(D).keys() == vars(E).keys() and (D.data == E.data).all() and not D.data.flags.owndata
+
+
 def test_views_live_as_long_as_they_are_used() -> None:
     def fresh() -> list[np.ndarray]:
         K = derham.generate.box(3, 6)
@@ -238,3 +294,21 @@ def test_a_complex_is_freed_with_its_last_reference() -> None:
     assert reference() is space.complex
     del space
     assert reference() is None
+
+
+def test_reports_are_tables() -> None:
+    K = derham.generate.box(2, 2)
+    reports = [K.check(), K.star_verdict(1), K.star_verdict(1, "whitney"), K.quality(), K.dual_report(),
+               K.dual_report().star[1], K.hot_weights(), derham.Complex([(0, 1, 2), (0, 3, 4)]).check().defects[0]]
+    for report in reports:
+        name = type(report).__name__
+        assert repr(report).startswith(name + "\n")
+        html = report._repr_html_()
+        assert html.startswith(f"<table><caption>{name}</caption><tr><th>") and html.count("<tr>") == repr(report).count("\n")
+    assert {type(report) for report in reports} == set(all_subclasses(derham.reports.Report))
+    for other in (K.form_space(), K.refined()):
+        assert other._repr_html_().startswith("<table><caption>") and type(other).__name__ in repr(other)
+
+
+def all_subclasses(root: type) -> list[type]:
+    return [found for child in root.__subclasses__() for found in (child, *all_subclasses(child))]

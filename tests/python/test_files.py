@@ -115,3 +115,24 @@ def test_command_line() -> None:
     assert found.stdout == f"derham {derham.__version__}\n"
     bad = subprocess.run([sys.executable, "-m", "derham", "no-command"], capture_output=True, text=True)
     assert bad.returncode == 2 and "there is no command" in bad.stderr
+
+
+def test_a_boundary_can_be_written(tmp_path: Path) -> None:
+    B = derham.generate.box(3, 2).boundary_complex()[0]
+    B.write(tmp_path / "b.off")
+    np.testing.assert_array_equal(derham.read(tmp_path / "b.off").points, B.points)
+
+
+def test_pictures_of_forms(tmp_path: Path) -> None:
+    meshio = pytest.importorskip("meshio")
+    K = derham.generate.box(2, 2)
+    u, w, q = K.points[:, 0], np.arange(16.0), np.arange(8.0)
+    K.write_forms(tmp_path / "forms.vtu", {"u": (u, 0), "w": (w, 1), "q": (q, 0, "dual")})
+    mesh = meshio.read(tmp_path / "forms.vtu")
+    np.testing.assert_array_equal(mesh.point_data["u"], u)
+    np.testing.assert_array_equal(mesh.cell_data["w"][1], w)
+    np.testing.assert_array_equal(mesh.cell_data["q"][2], q)
+    with pytest.raises(derham.InputError, match="u has shape"):
+        K.write_forms(tmp_path / "forms.vtu", {"u": (w, 0)})
+    with pytest.raises(derham.GeometryError, match="no points"):
+        derham.generate.klein_bottle().write_forms(tmp_path / "k.vtu", {})

@@ -126,6 +126,38 @@ def test_wedge() -> None:
             np.testing.assert_allclose(K.apply_d(ab, p + q), leibniz, atol=1e-13)
 
 
+def test_wedges_of_functions_with_all_forms(K: derham.Complex) -> None:
+    n = K.dimension
+    random = np.random.default_rng(4)
+    dual_function, function = random.standard_normal(K.size(n)), random.standard_normal(K.size(0))
+    for k in range(n + 1):
+        a = random.standard_normal(K.size(k))  # a primal k-form, or a dual (n-k)-form
+        about = K.incidence(k, n)
+        means = about @ dual_function / about.sum(axis=1)
+        corners = function[K.simplices(k)].mean(axis=1)
+        np.testing.assert_allclose(K.wedge(dual_function, 0, a, k, sides=("dual", "primal")), means * a, atol=1e-14)
+        np.testing.assert_allclose(K.wedge(dual_function, 0, a, n - k, sides="dual"), means * a, atol=1e-14)
+        np.testing.assert_allclose(K.wedge(function, 0, a, n - k, sides=("primal", "dual")), corners * a, atol=1e-14)
+        if k < n:  # of two functions the second one's side counts
+            swapped = K.wedge(a, n - k, function, 0, sides=("dual", "primal"))
+            np.testing.assert_array_equal(swapped, K.wedge(function, 0, a, n - k, sides=("primal", "dual")))
+
+
+def test_wedge_of_dual_one_forms() -> None:
+    K = derham.generate.icosphere(1)
+    random = np.random.default_rng(5)
+    a, b, g = random.standard_normal(K.size(1)), random.standard_normal(K.size(1)), random.standard_normal(K.size(2))
+    ab = K.wedge(a, 1, b, 1, sides="dual")
+    assert ab.shape == (K.size(0),) and abs(ab).max() > 0.1
+    np.testing.assert_allclose(K.wedge(b, 1, a, 1, sides="dual"), -ab, atol=1e-14)
+    left = K.apply_d(K.wedge(g, 0, b, 1, sides="dual"), 1, "dual")
+    right = K.wedge(K.apply_d(g, 0, "dual"), 1, b, 1, sides="dual") + K.wedge(g, 0, K.apply_d(b, 1, "dual"), 2, sides="dual")
+    np.testing.assert_allclose(left, right, atol=1e-13)
+    C = derham.generate.box(3, 1)
+    with pytest.raises(derham.InputError, match="no product of a dual 1-form and a primal 1-form in dimension 3"):
+        C.wedge(np.ones(C.size(2)), 1, np.ones(C.size(1)), 1, sides=("dual", "primal"))
+
+
 def test_sharp_and_flat_of_constants() -> None:
     K = derham.generate.ball(3, 2)
     X = np.array([1.0, -2.0, 0.5])
@@ -163,6 +195,105 @@ def test_interior_product_and_lie_derivative() -> None:
 
     with pytest.raises(KeyError, match="mine"):
         K.interior(fails, w, 1)
+
+
+def at_each_point(X, calls):  # type: ignore[no-untyped-def]
+    """The same field, asked for one point at a time."""
+
+    def field(points: np.ndarray) -> np.ndarray:
+        calls.append(len(points))
+        return np.concatenate([X(point[np.newaxis]) for point in points]) if len(points) else X(points)
+
+    return field
+
+
+@pytest.mark.parametrize("trace", ["mean", "upwind"])
+def test_fields_are_asked_for_all_points_at_once(K: derham.Complex, trace: str) -> None:
+    """The numbers are those of the obvious way, i_X linear in the values of the field at the nodes, on any threads."""
+    n, m = K.dimension, K.ambient_dimension
+    random = np.random.default_rng(6)
+    A, b = random.standard_normal((m, m)), random.standard_normal(m)
+    X = lambda x: np.sin(x @ A.T) + b  # noqa: E731
+    before = derham.thread_count()
+    for k in range(1, n + 1):
+        w, calls = random.standard_normal(K.size(k)), []
+        results = []
+        for threads in (1, 2, 4):
+            derham.set_thread_count(threads)
+            results.append(K.interior(X, w, k, trace=trace, order=2))  # type: ignore[arg-type]
+        derham.set_thread_count(before)
+        singly = K.interior(at_each_point(X, calls), w, k, trace=trace, order=2)  # type: ignore[arg-type]
+        np.testing.assert_allclose(singly, results[0], rtol=1e-12, atol=1e-12)
+        assert len(calls) == 1 and calls[0] >= K.size(k - 1)
+        assert results[0].tobytes() == results[1].tobytes() == results[2].tobytes()
+        constant = lambda x: np.broadcast_to(b, x.shape)  # noqa: E731
+        np.testing.assert_array_equal(
+            K.interior(constant, w, k, trace=trace), K.interior(b, w, k, trace=trace)  # type: ignore[arg-type]
+        )
+
+
+def test_contraction_of_functions_of_the_point() -> None:
+    """i_X of dx^1 at the vertices is X itself; of a 2-form at the midpoints of edges; each in its place."""
+    K = derham.generate.box(3, 2, jitter=0.3)
+    X = lambda x: np.stack([x[:, 0] ** 2, x[:, 1], 1 + x[:, 2] * x[:, 0]], axis=1)  # noqa: E731
+    for axis in range(3):
+        w = K.integrate(np.eye(3)[axis], 1)
+        np.testing.assert_allclose(K.interior(X, w, 1), X(K.points)[:, axis], atol=1e-13)
+    w = K.integrate([1.0, 0, 0], 2)  # dx ∧ dy
+    expected = K.integrate(lambda x: np.stack([-X(x)[:, 1], X(x)[:, 0], 0 * x[:, 0]], axis=1), 1, order=5)
+    np.testing.assert_allclose(K.interior(X, w, 2, order=5), expected, atol=1e-13)
+
+
+def test_cfl_bound() -> None:
+    K = derham.generate.box(2, 4)
+    bound = K.cfl_bound([1.0, 0])
+    assert 0 < bound <= 0.25 and K.cfl_bound([0.0, 0]) == np.inf
+    assert K.cfl_bound(lambda x: np.broadcast_to([2.0, 0], x.shape)) == pytest.approx(bound / 2)
+    masses = np.random.default_rng(0).random(K.size(2))
+    X = lambda x: np.stack([x[:, 1], -x[:, 0]], axis=1)  # noqa: E731
+    step = lambda dt: masses - dt * K.lie(X, masses, 2, trace="upwind")  # noqa: E731
+    assert (step(K.cfl_bound(X)) >= 0).all() and (step(50 * K.cfl_bound(X)) < 0).any()
+
+
+def test_algebraic_contraction() -> None:
+    """Through ⋆ and ∧: of dual forms exact for constants, on the primal side of densities; and Cartan's formula."""
+    for K in (derham.generate.ball(2, 3), derham.generate.ball(3, 1)):
+        n = K.dimension
+        X = np.arange(1.0, n + 1)
+        flat = K.integrate(X, 1)
+        v = np.arange(n, 0, -1.0)
+        flux = np.asarray(K.star(1) @ K.integrate(v, 1))  # ⋆v as a dual (n-1)-form
+        dual = K.interior(flat, flux, n - 1, kind="algebraic", side="dual")
+        by_hand = K.wedge((-1) ** (n - 1) * K.star_inverse(1).diagonal() * flux, 1, flat, 1)
+        np.testing.assert_allclose(dual, (-1) ** (n - 1) * K.star(2).diagonal() * by_hand, atol=1e-12)
+        lie = K.lie(flat, dual, n - 2, kind="algebraic", side="dual")
+        d_lie = K.lie(flat, K.apply_d(dual, n - 2, "dual"), n - 1, kind="algebraic", side="dual")
+        np.testing.assert_allclose(K.apply_d(lie, n - 2, "dual"), d_lie, atol=1e-9)
+        dual_flat = np.asarray(K.star(n - 1) @ K.integrate(lambda x: np.broadcast_to(X, x.shape), n - 1, flux=True))
+        density = K.integrate(1.0, n)
+        inner = np.setdiff1d(np.arange(K.size(n - 1)), K.boundary_simplices()[n - 1])
+        found = K.interior(dual_flat * (-1) ** (n - 1), density, n, kind="algebraic")
+        expected = K.integrate(lambda x: np.broadcast_to(X, x.shape), n - 1, flux=True)
+        np.testing.assert_allclose(found[inner], expected[inner], atol=1e-10)
+    with pytest.raises(derham.InputError, match="no algebraic interior product of primal 1-forms in dimension 3"):
+        K.interior(np.ones(K.size(2)), np.ones(K.size(1)), 1, kind="algebraic")
+    with pytest.raises(derham.InputError, match="on the primal side only"):
+        K.interior([1.0, 0, 0], np.ones(K.size(2)), 1, side="dual")
+
+
+def test_densities_on_surfaces() -> None:
+    S = derham.generate.icosphere(3)
+    np.testing.assert_allclose(S.integrate(1.0, 2), S.volumes(2), rtol=1e-14)
+    second = S.integrate(lambda x: x[:, 2] ** 2, 2).sum()
+    assert second == pytest.approx(4 * pi / 3, rel=0.02)
+    expected = S.volumes(2) * (S.corners() @ [1.0, 2.0, 3.0] + 4).mean(axis=1)  # linear: the value in the middle
+    np.testing.assert_allclose(S.integrate(lambda x: x @ [1.0, 2.0, 3.0] + 4, 2, order=1), expected, rtol=1e-12)
+    curve = derham.Complex([(0, 1), (1, 2)], points=[(0, 0), (3, 4), (3, 5)])
+    np.testing.assert_allclose(curve.integrate(2.0, 1), [10, 2])
+    np.testing.assert_allclose(curve.integrate([1.0, 0], 1), [3, 0])
+    M = derham.Complex(derham.generate.moebius_strip().simplices(2), points=np.random.default_rng(1).random((5, 3)))
+    with pytest.raises(derham.TopologyError, match="orientable"):
+        M.integrate(1.0, 2)
 
 
 def test_poisson_with_boundary_conditions() -> None:
