@@ -35,7 +35,8 @@ class MapOf : public MapBase {
 
   [[nodiscard]] Images images(int k) const override {
     const Index size = source_.complex->size(k);
-    Images result(std::vector<Index>(static_cast<std::size_t>(size)), std::vector<Sign>(static_cast<std::size_t>(size)));
+    Images result(std::vector<Index>(static_cast<std::size_t>(size)),
+                  std::vector<Sign>(static_cast<std::size_t>(size)));
     parallel_blocks(size, 4096, [&](Offset begin, Offset end) {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
         const SignedIndex image = map_.image(k, static_cast<Index>(i));
@@ -46,9 +47,7 @@ class MapOf : public MapBase {
     return result;
   }
 
-  void pullback(int k, std::span<const double> x, std::span<double> y) const override {
-    apply_pullback(map_, k, x, y);
-  }
+  void pullback(int k, std::span<const double> x, std::span<double> y) const override { apply_pullback(map_, k, x, y); }
 
  private:
   Body<n> source_;

@@ -86,9 +86,8 @@ double bound(const Body<n>& body, const Field& X, int order) {
 }
 
 double bound_constant(const AnyComplex& any, const Values& X, int order) {
-  return any.with_metric<1>([&](const auto& body) {
-    return without_gil([&] { return bound(body, constant(X), order); });
-  });
+  return any.with_metric<1>(
+      [&](const auto& body) { return without_gil([&] { return bound(body, constant(X), order); }); });
 }
 
 double bound_of(const AnyComplex& any, const Function& X, int order) {
@@ -106,8 +105,7 @@ double bound_of(const AnyComplex& any, const Function& X, int order) {
 template <int n, int k>
 std::vector<double> algebraic(const HodgeStar<n>& star, bool dual, const Values& X_flat, const Values& w) {
   const SimplicialComplex<n>& K = star.complex();
-  if (dual)
-    return values_of(interior_product(star, PrimalForm<n, 1>(K, copied(X_flat)), DualForm<n, k>(K, copied(w))));
+  if (dual) return values_of(interior_product(star, PrimalForm<n, 1>(K, copied(X_flat)), DualForm<n, k>(K, copied(w))));
   if constexpr (k == n || (n == 2 && k == 1))
     return values_of(interior_product(star, DualForm<n, 1>(K, copied(X_flat)), PrimalForm<n, k>(K, copied(w))));
   throw InputError(text("there is no algebraic interior product of primal ", k, "-forms in dimension ", n,

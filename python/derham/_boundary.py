@@ -10,7 +10,7 @@ import numpy.typing as npt
 import scipy.sparse as sparse
 
 from . import _derham
-from ._arguments import Floats, Integers, index_list, real_number
+from ._arguments import Floats, Integers, float_array, index_list, real_number, shown
 from ._base import Base, compressed
 from .errors import InputError
 
@@ -107,7 +107,11 @@ class Boundary(Base):
         boundary = self.boundary_complex()[1][-1]
         place[boundary] = np.arange(len(boundary))
         material, given = np.zeros(len(boundary)), np.zeros(len(place), bool)
-        for facets, value in parts:
+        try:
+            pairs = [(facets, value) for facets, value in parts]
+        except (TypeError, ValueError):
+            raise InputError(f"parts is {shown(parts)}; expected pairs of facets and a number") from None
+        for facets, value in pairs:
             found = index_list(facets, "the facets")
             for name, wrong in (
                 ("is none of K", (found < 0) | (found >= len(place))),
@@ -130,6 +134,8 @@ class Boundary(Base):
 
     def _inner_product(self, S: Any, k: int) -> Any:
         count = self.boundary_complex()[0].size(k)
+        if not sparse.issparse(S):
+            S = float_array(S, "S")
         if np.shape(S) != (count, count):
             raise InputError(f"S has shape {np.shape(S)}; an inner product of {k}-forms on the boundary, {(count, count)}")
         return S

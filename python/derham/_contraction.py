@@ -52,13 +52,14 @@ class Contraction(Topology, Metric):
         Source   Bossavit 2003; Heumann & Hiptmair 2011 (upwind); Hirani 2003, chapter 8 (algebraic)
         """
         k = self._degree(k, 1)
+        one_of(kind, ("whitney", "algebraic"), "the kind of contraction")
         if kind == "algebraic":
+            dual = self._side(side)
             form = self._one_form(w, k, side)
             flat: Any = X
-            dual = self._side(side)
             X_flat = self._one_form(flat, 1, "primal" if dual else "dual", "X")
             return self._star(star, None, None).contract(k, dual, X_flat, form)
-        one_of(kind, ("whitney", "algebraic"), "the kind of contraction")
+        one_of(side, ("primal", "dual"), "the side")
         if side != "primal":
             raise InputError(f"the side is {shown(side)}; the contraction by Whitney forms is on the primal side only")
         form = self._one_form(w, k)
@@ -83,6 +84,7 @@ class Contraction(Topology, Metric):
         Laws     d L_X = L_X d; the integral of L_X w over a closed M is zero for n-forms
         """
         k = self._degree(k)
+        self._side(side)
         form = self._one_form(w, k, side)
 
         def contracted(v: Floats, degree: int) -> Floats:

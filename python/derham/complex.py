@@ -105,8 +105,12 @@ class Complex(Operators, Mesh):
         Raises   InputError unless n and m are 1 to 3, or on a wrong shape; GeometryError without points; FileError if it
                  cannot be written
         """
+        if not isinstance(forms, Mapping) or not all(isinstance(form, tuple) and len(form) in (2, 3) for form in forms.values()):
+            raise InputError(f"forms is {shown(forms)}; expected a mapping from names to (w, k) or (w, k, side)")
         named = []
         for name, (w, k, *side) in forms.items():
+            if not isinstance(name, str):
+                raise InputError(f"the name of a form is {shown(name)}; expected a string")
             given = side[0] if side else "primal"
             dual, k = self._side(given), self._degree(k, name=f"of {name!r}")
             named.append((name, self.dimension - k if dual else k, self._one_form(w, k, given, name)))

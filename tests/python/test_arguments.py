@@ -60,7 +60,9 @@ def calls(K: derham.Complex, path: str) -> dict[str, tuple[Any, ...]]:
         "interior": (np.ones(m), w1, k), "lie": (np.ones(m), w1, k), "apply_d": (w0, 0), "apply_boundary": (w1, k),
         "boundary": (k,), "d": (0,), "chain": ([[0]],), "find": ([[0]],), "index": ([[0]],), "incidence": (0, n),
         "closure": ({0: [0]},), "open_star": ({0: [0]},), "link": ({0: [0]},), "simplices": (0,), "faces": (k,),
-        "write": (path,),
+        "write": (path,), "write_forms": (path + ".vtu", {"u": (w0, 0)}), "trace": (w0, 0), "trace_matrix": (0,),
+        "boundary_term": (np.ones(2), 0), "boundary_load": (np.ones(2), 0, np.eye(2)), "robin_matrix": (0, np.eye(2)),
+        "boundary_material": ([([0], 1.0)],), "cfl_bound": (np.ones(m),), "tagged_facets": ("a",),
     }  # fmt: skip
 
 
