@@ -88,6 +88,23 @@ auto matrix_of_trace(const AnyBoundary& any, int k) {
   });
 }
 
+/// S is given by its values, indices and pointers, by rows.
+auto matrix_of_robin(const AnyBoundary& any, int k, const Values& values, const Indices& indices,
+                     const Indices& pointers) {
+  using Arrays = decltype(arrays_of(SparseMatrix()));
+  return any.visit([&]<int n>(const std::shared_ptr<const BoundaryOf<n>>& of) -> Arrays {
+    if constexpr (n > max_metric_dimension) {
+      throw InputError(text("the dimension of the complex is ", n, "; expected 1 to ", max_metric_dimension));
+    } else {
+      const auto size = static_cast<Eigen::Index>(of->boundary.complex.size(k));
+      const Eigen::Map<const SparseMatrix> S(size, size, static_cast<Eigen::Index>(values.size()), pointers.data(),
+                                             indices.data(), values.data());
+      return arrays_of(
+          without_gil([&] { return robin_matrix<n>(*of->body.complex, of->boundary, k, SparseMatrix(S)); }));
+    }
+  });
+}
+
 }  // namespace
 
 void bind_operators(ComplexClass& complex, StarClass& star, BoundaryClass& boundary) {
@@ -95,6 +112,8 @@ void bind_operators(ComplexClass& complex, StarClass& star, BoundaryClass& bound
   star.def("report", &report_of_star, arg("k"));
   star.def("weak_laplacian", &weak_laplacian, arg("k"));
   boundary.def("trace_matrix", &matrix_of_trace, arg("k"));
+  boundary.def("robin_matrix", &matrix_of_robin, arg("k"), arg("values").noconvert(), arg("indices").noconvert(),
+               arg("pointers").noconvert());
   complex.def("hot_weights", &weights, arg("margin"));
   complex.def("mixed_laplacian", &mixed_laplacian, arg("k"), arg("material").none());
   complex.def("whitney_mass", &mass, arg("k"), arg("material").none());

@@ -10,7 +10,7 @@ import numpy.typing as npt
 import scipy.sparse as sparse
 
 from . import _derham
-from ._arguments import Floats, Integers, float_array, index_list, real_number, shown
+from ._arguments import Floats, Integers, float_array, index_array, index_dtype, index_list, real_number, shown
 from ._base import Base, compressed
 from .errors import InputError
 
@@ -92,8 +92,16 @@ class Boundary(Base):
         Shape    |K_k| × |K_k|
         Raises   as `boundary_load`
         """
-        T = self.trace_matrix(k)
-        return sparse.csr_array(T.T @ self._inner_product(S, k) @ T)
+        k = self._degree(k, 0, self.dimension - 1)
+        S = self._inner_product(S, k)
+        if isinstance(S, sparse.dia_array) and S.offsets.tolist() == [0]:
+            places = np.arange(S.shape[0] + 1, dtype=index_dtype)
+            arrays = np.ascontiguousarray(S.diagonal(), np.float64), places[:-1], places
+        else:
+            S = sparse.csr_array(S) if not isinstance(S, sparse.csr_array) else S
+            arrays = S.data, S.indices, S.indptr
+        data, indices, pointers = (float_array(arrays[0], "S"), *(index_array(part, "S") for part in arrays[1:]))
+        return compressed(sparse.csr_array, self._boundary()[0].robin_matrix(k, data, indices, pointers), (self._sizes[k],) * 2)
 
     def boundary_material(self, parts: Iterable[tuple[npt.ArrayLike, float]]) -> Floats:
         """A material on the boundary: on some facets of K a number, 0 elsewhere. Stars and masses of the boundary with it are
@@ -103,25 +111,24 @@ class Boundary(Base):
         Shape    (|∂K_{n-1}|,)
         Raises   InputError naming a facet that is not on the boundary, or that two parts have
         """
-        place = np.full(self.size(self.dimension - 1), -1)
-        boundary = self.boundary_complex()[1][-1]
-        place[boundary] = np.arange(len(boundary))
-        material, given = np.zeros(len(boundary)), np.zeros(len(place), bool)
         try:
             pairs = [(facets, value) for facets, value in parts]
         except (TypeError, ValueError):
             raise InputError(f"parts is {shown(parts)}; expected pairs of facets and a number") from None
+        boundary = self.boundary_complex()[1][-1]
+        place = np.full(self.size(self.dimension - 1), -1)
+        place[boundary] = np.arange(len(boundary))
+        material, given = np.zeros(len(boundary)), np.zeros(len(boundary), bool)
         for facets, value in pairs:
             found = index_list(facets, "the facets")
-            for name, wrong in (
-                ("is none of K", (found < 0) | (found >= len(place))),
-                ("is not on the boundary", place[found.clip(0, len(place) - 1)] < 0),
-                ("is in two parts", given[found.clip(0, len(place) - 1)]),
-            ):
-                if wrong.any():
-                    raise InputError(f"the facet {found[wrong][0]} {name}")
-            given[found] = True
-            material[place[found]] = real_number(value, "the number of a part")
+            at = np.full(len(found), -1)
+            inside = (found >= 0) & (found < len(place))
+            at[inside] = place[found[inside]]
+            if (wrong := at < 0).any():
+                raise InputError(f"the facet {found[wrong][0]} is not on the boundary")
+            if (wrong := given[at]).any():
+                raise InputError(f"the facet {found[wrong][0]} is in two parts")
+            given[at], material[at] = True, real_number(value, "the number of a part")
         return material
 
     def _boundary(self) -> tuple[_derham.Boundary, Complex, list[Integers]]:

@@ -61,7 +61,9 @@ def test_loads_and_robin_matrices(M: derham.Complex, random: np.random.Generator
         a, g = random.standard_normal(M.size(k)), random.standard_normal(B.size(k))
         assert a @ M.boundary_load(g, k, S) == pytest.approx(M.trace(a, k) @ S @ g)
         robin = M.robin_matrix(k, S)
-        assert abs(robin - T.T @ S @ T).max() < 1e-15 and robin.shape == (M.size(k),) * 2
+        for inner in (S, S.toarray(), sparse.coo_array(S), sparse.dia_array(np.diag(S.diagonal())), B.star(k, "barycentric")):
+            difference = M.robin_matrix(k, inner) - T.T @ inner @ T
+            assert abs(difference).max() < 1e-15 and robin.shape == (M.size(k),) * 2
         assert a @ (robin @ a) >= 0
 
 
@@ -110,7 +112,7 @@ def test_refused() -> None:
     inner = np.setdiff1d(np.arange(K.size(1)), inclusion[1])[0]
     for message, action in (
         (f"facet {inner} is not on the boundary", lambda: K.boundary_material([([inner], 1)])),
-        ("facet 99 is none of K", lambda: K.boundary_material([([99], 1)])),
+        ("facet 99 is not on the boundary", lambda: K.boundary_material([([99], 1)])),
         ("is in two parts", lambda: K.boundary_material([(inclusion[1], 1), (inclusion[1][:1], 2)])),
         (r"degree k is 2; expected 0 to 1", lambda: K.trace(np.ones(8), 2)),
         (r"S has shape \(9, 9\)", lambda: K.robin_matrix(0, K.star(0))),
