@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace derham::python {
@@ -13,9 +14,11 @@ bool has_metric(const MeshData& mesh) {
   return mesh.has_points() || mesh.has_corners() || !mesh.edge_lengths_squared.empty();
 }
 
+/// Takes the points out of the mesh.
 template <int n>
-Geometry<n> geometry_of(const SimplicialComplex<n>& K, const MeshData& mesh) {
-  if (mesh.has_points() || mesh.has_corners()) return Geometry<n>::from_mesh(K, mesh);
+Geometry<n> geometry_of(const SimplicialComplex<n>& K, MeshData& mesh) {
+  if (mesh.has_corners()) return Geometry<n>::from_mesh(K, mesh);
+  if (mesh.has_points()) return Geometry<n>::from_points(K, std::exchange(mesh.points, {}), mesh.ambient_dimension);
   return Geometry<n>::from_squared_lengths(K, mesh.edge_lengths_squared);
 }
 
@@ -25,7 +28,7 @@ void orient_as(SimplicialComplex<n>& K, std::span<const Sign> signs) {
 }
 
 template <int n>
-Body<n> body_of(const MeshData& mesh, std::span<const Sign> signs) {
+Body<n> body_of(MeshData& mesh, std::span<const Sign> signs) {
   const bool empty = mesh.simplices.empty() && mesh.vertex_count <= 0;
   const auto K = empty ? std::make_shared<SimplicialComplex<n>>()
                        : std::make_shared<SimplicialComplex<n>>(mesh.simplices, mesh.vertex_count);
