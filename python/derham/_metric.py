@@ -46,8 +46,8 @@ class Metric(Base):
         return self._core.ambient_dimension
 
     @property
-    def points(self) -> Floats | None:
-        """The positions of the vertices, or None. Shape (|V|, m), read-only, no copy."""
+    def points(self) -> Floats | Any:
+        """The positions of the vertices, or None if there are none. Shape (|V|, m), read-only, no copy."""
         points: Any = self._core.points()
         return None if points is None else np.asarray(points)
 

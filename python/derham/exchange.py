@@ -41,7 +41,7 @@ def from_meshio(mesh: Any, *, planar: bool = False) -> Complex:
         raise InputError(f"the mesh has a cell with vertex {wrong}; expected 0 to {len(points) - 1}")
     points = points[used]
     if planar:
-        if points.shape[1] != 3 or points[:, 2].any():
+        if points.ndim != 2 or points.shape[1] != 3 or points[:, 2].any():
             raise InputError("the mesh is not planar: third coordinates are missing or not 0")
         points = points[:, :2]
     return Complex(rows.reshape(-1, max(map(_CELLS.index, found)) + 1), points)

@@ -98,6 +98,9 @@ def test_meshes_of_meshio() -> None:
     assert K.sizes == (3, 3, 1) and K.ambient_dimension == 2
     with pytest.raises(derham.InputError, match="'quad'; expected"):
         derham.from_meshio(Other(points, [Block("quad", np.array([[0, 1, 2, 3]]))]))
+    for wrong in (-1, 4):
+        with pytest.raises(derham.InputError, match=f"vertex {wrong}; expected 0 to 3"):
+            derham.from_meshio(Other(points, [Block("line", np.array([[1, wrong]]))]))
     meshio = pytest.importorskip("meshio")
     L = derham.generate.ball(3, 2)
     mesh = derham.to_meshio(L)
