@@ -107,20 +107,25 @@ def signed_dtype(dtype: npt.DTypeLike) -> np.dtype[Any]:
     return found
 
 
+def utf8_text(text: Any, name: str) -> str:
+    try:
+        if isinstance(text, str):
+            text.encode()
+            return text
+    except UnicodeEncodeError:
+        raise InputError(f"{name} {text!r} is not UTF-8") from None
+    raise InputError(f"{name} is {shown(text)}; expected a string")
+
+
 def path_text(path: str | bytes | os.PathLike[Any]) -> str:
     try:
-        text = os.fsdecode(path)
-        text.encode()
+        text = utf8_text(os.fsdecode(path), "the path")
     except TypeError:
         raise InputError(f"the path is {shown(path)}; expected a string or a path") from None
-    except UnicodeEncodeError:
-        raise InputError(f"the path {path!r} is not UTF-8") from None
     if "\0" in text:
         raise InputError(f"the path {path!r} holds a zero character")
     return text
 
 
 def format_name(format: str | None) -> str | None:
-    if format is None or isinstance(format, str):
-        return format
-    raise InputError(f"the format is {shown(format)}; expected the name of one, or None")
+    return None if format is None else utf8_text(format, "the format")

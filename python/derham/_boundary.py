@@ -26,7 +26,8 @@ class Boundary(Base):
         return self._by_degree(self._core.boundary_simplices())
 
     def boundary_complex(self) -> tuple[Complex, list[Integers]]:
-        """The boundary as a complex of its own, oriented as the boundary of K, with its metric if K has one.
+        """The boundary as a complex of its own, oriented as the boundary of K (for n = 1 its points are positive), with its
+        metric if K has one.
 
         With it comes the inclusion by degree: `inclusion[k][i]` is the index in K of the boundary's k-simplex i. The same
         objects in every call.

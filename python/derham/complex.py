@@ -10,7 +10,17 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _derham
-from ._arguments import Integers, flag, float_array, format_name, index_array, index_dtype, path_text, shown
+from ._arguments import (
+    Integers,
+    flag,
+    float_array,
+    format_name,
+    index_array,
+    index_dtype,
+    path_text,
+    shown,
+    utf8_text,
+)
 from ._base import Side
 from ._mesh import Mesh
 from ._operators import Operators
@@ -109,8 +119,7 @@ class Complex(Operators, Mesh):
             raise InputError(f"forms is {shown(forms)}; expected a mapping from names to (w, k) or (w, k, side)")
         named = []
         for name, (w, k, *side) in forms.items():
-            if not isinstance(name, str):
-                raise InputError(f"the name of a form is {shown(name)}; expected a string")
+            name = utf8_text(name, "the name of a form")
             given = side[0] if side else "primal"
             dual, k = self._side(given), self._degree(k, name=f"of {name!r}")
             named.append((name, self.dimension - k if dual else k, self._one_form(w, k, given, name)))

@@ -42,6 +42,9 @@ class SimplicialMap:
         self.vertices.flags.writeable = False
         self._core = _derham.SimplicialMap(source._core, target._core, self.vertices)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return SimplicialMap, (self.source, self.target, self.vertices)
+
     def images(self, k: int) -> SignedIndex:
         """Where every positively oriented k-simplex of K goes, and the sign of its orientation there; -1 and 0 if it is
         collapsed. Shape (|K_k|,)."""
@@ -85,6 +88,8 @@ class SimplicialMap:
 
     def __matmul__(self, first: SimplicialMap) -> SimplicialMap:
         """First the other map, then this one."""
+        if not isinstance(first, SimplicialMap):
+            return NotImplemented
         if first.target is not self.source:
             raise InputError("the first map ends in another complex than the second begins in")
         return SimplicialMap(first.source, self.target, self.vertices[first.vertices])

@@ -14,7 +14,7 @@ import derham
 RAGGED: list[Any] = [[0, 1], [1]]
 
 ODD: list[Any] = [
-    None, True, -1, 0, 1, 3, 7, 2**31, 2**63, 2**70, 1.0, 1.5, np.nan, np.inf, 1j, "a", "", b"x", (), [], {}, {0: [0]},
+    None, True, -1, 0, 1, 3, 7, 2**31, 2**63, 2**70, 1.0, 1.5, np.nan, np.inf, 1j, "a", "", "\udcff", b"x", (), [], {}, {0: [0]},
     {9: [0]}, {"a": [0]}, {0: [-1]}, {0: [0.5]}, {0: 5}, {0: RAGGED}, [[0, 1]], RAGGED, [range(15)], range(15), [[]], [None],
     ["a"], [2**70], (1, 2), (1, 2, 3), np.int64(1), np.int8(1), np.uint64(2), np.float32(1), np.True_, np.array(1),
     np.array([1]), np.zeros(0), np.zeros((0, 2)), np.zeros((0, 3), int), np.zeros((3, 0)), np.ones(3), np.ones((2, 2)),
@@ -115,10 +115,12 @@ def test_functions(tmp_path) -> None:  # type: ignore[no-untyped-def]
     require_errors_of_ours(derham.rips, ([(0, 0), (1, 0)], 1.0, 1))
     require_errors_of_ours(derham.set_thread_count, (count,))
     derham.set_thread_count(count)
-    for whole in (K.form_space(), K.refined()):
+    require_errors_of_ours(derham.SimplicialMap, (K, K, [0, 1, 2, 3]))
+    for whole in (K.form_space(), K.refined(), derham.SimplicialMap(K, K, [0, 1, 2, 3])):
         for method, function in inspect.getmembers(whole, inspect.ismethod):
             if not method.startswith("_"):
-                require_errors_of_ours(function, (1,))
+                required = [p for p in inspect.signature(function).parameters.values() if p.default is p.empty]
+                require_errors_of_ours(function, (np.ones(K.size(1)), 1)[-len(required) :])
 
 
 @pytest.mark.filterwarnings("ignore")

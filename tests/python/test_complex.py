@@ -242,7 +242,9 @@ def test_complexes_that_are_not_pure_are_pickled(rows: list[tuple[int, ...]]) ->
 def test_reports_spaces_and_errors_are_pickled() -> None:
     K = derham.Complex(derham.generate.ball(3, 1).simplices(3), derham.generate.ball(3, 1).points)
     R = K.refined()
-    S, Q = pickle.loads(pickle.dumps((K.form_space(), R)))
+    phi = derham.SimplicialMap(K, K, range(K.size(0)))
+    S, Q, psi = pickle.loads(pickle.dumps((K.form_space(), R, phi)))
+    assert (psi.images(1).index == phi.images(1).index).all() and psi.source is psi.target
     assert (S.free(1) == K.form_space().free(1)).all()
     assert abs(Q.prolongation(1) - R.prolongation(1)).max() == 0 and repr(Q) == repr(R)
     for report in (K.check(), K.star_verdict(1), K.quality(), K.dual_report(), K.hot_weights()):

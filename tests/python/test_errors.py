@@ -53,6 +53,8 @@ REFUSED: list[tuple[type[Exception], str, Callable[[], object]]] = [
     (ValueError, r"no format 'xyz'; expected", lambda: derham.read("/nowhere.off", "xyz")),
     (ValueError, r"tells no format", lambda: K.write("mesh.unknown")),
     (ValueError, r"the path .* holds a zero character", lambda: K.write("mesh.off\0.txt")),
+    (ValueError, r"the path .* is not UTF-8", lambda: derham.read("\udcff.off")),
+    (ValueError, r"the name of a form '.udcff' is not UTF-8", lambda: K.write_forms("x.vtu", {"\udcff": (np.ones(9), 0)})),
     (ValueError, r"binary is 1; expected True or False", lambda: K.write("mesh.off", binary=1)),  # type: ignore[arg-type]
     (ValueError, r"simplices has masked entries", lambda: derham.Complex(np.ma.masked_array([(0, 1)], [(True, False)]))),
     (ValueError, r"w has masked entries", lambda: K.apply_d(np.ma.masked_less(np.arange(16.0), 3), 1)),
