@@ -98,6 +98,7 @@ def calls(folder: Path) -> dict[str, Callable[[], object]]:
         "points": lambda: K.points,
         "quality": K.quality,
         "refined": K.refined,
+        "renumbered": K.renumbered,
         "robin_matrix": lambda: K.robin_matrix(0, S),
         "sharp": lambda: K.sharp(w),
         "signs": lambda: K.signs,

@@ -1,12 +1,15 @@
 #include "arrays.hpp"
 #include "rooms.hpp"
 
+#include "derham/complex/renumbering.hpp"
 #include "derham/geometry/quality.hpp"
+#include "derham/geometry/renumber_mesh.hpp"
 #include "derham/geometry/volumes.hpp"
 
 #include <nanobind/stl/tuple.h>
 
 #include <tuple>
+#include <utility>
 
 namespace derham::python {
 namespace {
@@ -78,6 +81,18 @@ auto quality_of(const AnyComplex& any) {
   });
 }
 
+/// The complex with other numbers, the new number of every vertex, the old row at every place.
+auto renumbered(const AnyComplex& any, bool along_hilbert_curve) {
+  MeshData mesh = any.mesh();
+  Renumbering numbers;
+  AnyComplex result = without_gil([&] {
+    numbers = along_hilbert_curve ? hilbert_order(mesh) : reverse_cuthill_mckee(mesh.simplices, mesh.vertex_count);
+    renumber(mesh, numbers);
+    return AnyComplex(std::move(mesh));
+  });
+  return std::tuple(std::move(result), owned(std::move(numbers.new_vertex)), owned(std::move(numbers.old_row)));
+}
+
 }  // namespace
 
 void bind_geometry(ComplexClass& complex) {
@@ -88,6 +103,7 @@ void bind_geometry(ComplexClass& complex) {
   complex.def("volumes", &volumes, nb::arg("k"));
   complex.def("edge_lengths_squared", &lengths_squared);
   complex.def("quality", &quality_of);
+  complex.def("renumbered", &renumbered, nb::arg("along_hilbert_curve"));
 }
 
 }  // namespace derham::python

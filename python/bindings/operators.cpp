@@ -89,8 +89,9 @@ auto matrix_of_trace(const AnyBoundary& any, int k) {
 }
 
 /// S is given by its values, indices and pointers, by rows.
-auto matrix_of_robin(const AnyBoundary& any, int k, const Values& values, const Indices& indices,
-                     const Indices& pointers) {
+using Places = Input<SparseMatrix::StorageIndex, nb::ndim<1>>;
+auto matrix_of_robin(const AnyBoundary& any, int k, const Values& values, const Places& indices,
+                     const Places& pointers) {
   using Arrays = decltype(arrays_of(SparseMatrix()));
   return any.visit([&]<int n>(const std::shared_ptr<const BoundaryOf<n>>& of) -> Arrays {
     if constexpr (n > max_metric_dimension) {

@@ -10,7 +10,7 @@ import numpy.typing as npt
 import scipy.sparse as sparse
 
 from . import _derham
-from ._arguments import Floats, Integers, float_array, index_array, index_dtype, index_list, real_number, shown
+from ._arguments import Floats, Integers, float_array, index_list, real_number, shown
 from ._base import Base, compressed
 from .errors import InputError
 
@@ -96,12 +96,13 @@ class Boundary(Base):
         k = self._degree(k, 0, self.dimension - 1)
         S = self._inner_product(S, k)
         if isinstance(S, sparse.dia_array) and S.offsets.tolist() == [0]:
-            places = np.arange(S.shape[0] + 1, dtype=index_dtype)
-            arrays = np.ascontiguousarray(S.diagonal(), np.float64), places[:-1], places
+            places = np.arange(S.shape[0] + 1)
+            arrays: Any = S.diagonal(), places[:-1], places
         else:
-            S = sparse.csr_array(S) if not isinstance(S, sparse.csr_array) else S
+            S = S if isinstance(S, sparse.csr_array) else sparse.csr_array(S)
             arrays = S.data, S.indices, S.indptr
-        data, indices, pointers = (float_array(arrays[0], "S"), *(index_array(part, "S") for part in arrays[1:]))
+        data = float_array(arrays[0], "S")
+        indices, pointers = (np.ascontiguousarray(part, np.int32) for part in arrays[1:])
         return compressed(sparse.csr_array, self._boundary()[0].robin_matrix(k, data, indices, pointers), (self._sizes[k],) * 2)
 
     def boundary_material(self, parts: Iterable[tuple[npt.ArrayLike, float]]) -> Floats:

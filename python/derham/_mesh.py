@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import Integers, flag, index_dtype, index_list, shown
+from ._arguments import Integers, flag, index_dtype, index_list, one_of, shown
 from ._base import Base
 from .errors import InputError
 from .spaces import FormSpace, Refinement
+
+if TYPE_CHECKING:
+    from .complex import Complex
 
 
 @dataclass(frozen=True)
@@ -22,6 +25,15 @@ class Part:
     number: int
     degree: int
     count: int
+
+
+class Renumbered(NamedTuple):
+    """`complex` with other numbers: `vertices` (|V|,) has the new number of every vertex, `rows` the old number of every top
+    simplex."""
+
+    complex: Complex
+    vertices: Integers
+    rows: Integers
 
 
 class Mesh(Base):
@@ -104,3 +116,23 @@ class Mesh(Base):
         """
         self_: Any = self
         return Refinement(self_)
+
+    def renumbered(self, order: Literal["hilbert", "cuthill-mckee"] = "hilbert") -> Renumbered:
+        """The same complex with numbers in which what is near has near numbers, so that everything runs faster on a mesh whose
+        numbers are not: along a Hilbert curve through the positions, or by reverse Cuthill–McKee, which needs none.
+
+        Parts, fields and orientation come along. The value of a k-form w on the k-simplices is carried by
+        `index, sign = L.index(vertices[K.simplices(k)])` and `v[index] = sign * w`; for k = n with `K.oriented_simplices()`.
+
+        Cost     linear, V log V for "hilbert"
+        Raises   InputError for another order, or for "hilbert" without positions
+        Source   Skilling, "Programming the Hilbert curve", 2004; George 1971
+
+        >>> import derham
+        >>> derham.generate.cycle(6).renumbered("cuthill-mckee").vertices.size
+        6
+        """
+        one_of(order, ("hilbert", "cuthill-mckee"), "the order")
+        core, vertices, rows = self._core.renumbered(order == "hilbert")
+        self_: Any = self
+        return Renumbered(self_._of(core), vertices, rows)

@@ -71,3 +71,27 @@ def test_refused() -> None:
     ):
         with pytest.raises(derham.InputError, match=message):
             action()
+
+
+@pytest.mark.parametrize("order", ["hilbert", "cuthill-mckee"])
+@pytest.mark.parametrize("n", [1, 2, 3, 4])
+def test_renumbered(n: int, order: str) -> None:
+    plain = derham.generate.box(n, (40, 9, 4, 2)[n - 1], jitter=0.2)
+    random = np.random.default_rng(7)
+    shuffle = random.permutation(plain.size(0))
+    K = derham.Complex(random.permutation(shuffle[plain.oriented_simplices()]), plain.points[np.argsort(shuffle)])
+    L, vertices, rows = K.renumbered(order)  # type: ignore[arg-type]
+    np.testing.assert_array_equal(L.simplices(n), np.sort(vertices[K.simplices(n)[rows]], axis=1))
+    np.testing.assert_array_equal(L.points[vertices], K.points)
+    assert np.ptp(L.simplices(n), axis=1).mean() < np.ptp(K.simplices(n), axis=1).mean()
+
+    def carried(w: np.ndarray, k: int) -> np.ndarray:
+        index, sign = L.index(vertices[K.oriented_simplices() if k == n else K.simplices(k)])
+        v = np.empty_like(w)
+        v[index] = sign * w
+        return v
+
+    for k in range(n):
+        w = random.standard_normal(K.size(k))
+        np.testing.assert_allclose(L.apply_d(carried(w, k), k), carried(K.apply_d(w, k), k + 1), atol=1e-14)
+    assert (L.index(vertices[K.oriented_simplices()]).sign == 1).all()
