@@ -17,12 +17,15 @@ namespace derham::detail {
 template <int n, class... Others>
 void make_room(const SimplicialComplex<n>& K, Others&... lists) {
   const std::array<ByDegree<n>*, sizeof...(lists)> all{&lists...};
-  const bool zeros = dual_pieces(K) > 1;
-  parallel_blocks(static_cast<Offset>(all.size()) * (n + 1), 1, [&](Offset number, Offset) {
-    const int k = n - static_cast<int>(number / static_cast<Offset>(all.size()));
-    auto& list = (*all[static_cast<std::size_t>(number) % all.size()])[static_cast<std::size_t>(k)];
-    reserve_large(list, static_cast<std::size_t>(K.size(k)));
-    if (zeros) list.resize(static_cast<std::size_t>(K.size(k)));
+  const bool several = dual_pieces(K) > 1;
+  const Offset count = static_cast<Offset>(all.size()) * (n + 1);
+  parallel_blocks(count, several ? 1 : count, [&](Offset first, Offset last) {
+    for (Offset number = first; number < last; ++number) {
+      const int k = n - static_cast<int>(number / static_cast<Offset>(all.size()));
+      auto& list = (*all[static_cast<std::size_t>(number) % all.size()])[static_cast<std::size_t>(k)];
+      reserve_large(list, static_cast<std::size_t>(K.size(k)));
+      if (several) list.resize(static_cast<std::size_t>(K.size(k)));
+    }
   });
 }
 

@@ -46,7 +46,7 @@ class Operator {
         operator_part(std::forward<Expression>(expression)).template at<Domain>()
       } -> std::same_as<Operator<Domain, Codomain>>;
     }
-  Operator(Expression&& expression)  // NOLINT(google-explicit-constructor): as a formula is written
+  Operator(Expression&& expression)  // NOLINT(*-explicit-constructor,*-reference-overload): as a formula is written
       : Operator(operator_part(std::forward<Expression>(expression)).template at<From>()) {}
 
   /// A w.
