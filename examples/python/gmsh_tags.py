@@ -58,12 +58,11 @@ kappa, power, temperature = {"brick": 0.6, "wool": 0.04}, 0.8, 20.0
 conductivity = sum(kappa[name] * K.tagged_chain(name) for name in kappa)  # of every triangle
 A = K.d(0).T @ K.star(1, "whitney", material=conductivity) @ K.d(0)
 
-B, inclusion = K.boundary_complex()
-entering = power * abs(K.tagged_chain("outside"))[inclusion[1]]  # per length, of every edge of the boundary
-load = np.zeros(K.size(0))
-load[inclusion[0]] = B.star(0, "whitney", material=entering).sum(axis=1)
+B = K.boundary_complex()[0]
+outside = K.boundary_material([(K.tagged_facets("outside"), 1)])  # 1 there, 0 elsewhere
+load = K.boundary_load(np.full(B.size(0), power), 0, B.star(0, "whitney", material=outside))
 
-space = K.form_space(np.flatnonzero(K.tagged_chain("inside")))
+space = K.form_space(K.tagged_facets("inside"))
 u = np.zeros(K.size(0))
 u[space.prescribed(0)] = temperature
 E = space.extension(0)
