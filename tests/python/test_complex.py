@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import ctypes
 import gc
 import itertools
 import multiprocessing
@@ -314,3 +315,22 @@ def test_reports_are_tables() -> None:
 
 def all_subclasses(root: type) -> list[type]:
     return [found for child in root.__subclasses__() for found in (child, *all_subclasses(child))]
+
+
+def test_loops_on_several_threads_leave_no_memory_behind() -> None:
+    class Usage(ctypes.Structure):
+        _fields_ = [(f"field_{i}", ctypes.c_size_t) for i in range(10)]  # the eighth: bytes in use
+
+    libc = ctypes.CDLL(None)
+    if not hasattr(libc, "mallinfo2"):
+        pytest.skip("not with this C library")
+    libc.mallinfo2.restype = Usage
+    K, before, used = derham.generate.box(3, 12), derham.thread_count(), []
+    derham.set_thread_count(2)
+    for _ in range(2):
+        for _ in range(50):
+            K.dual_volumes(1)
+        gc.collect()
+        used.append(libc.mallinfo2().field_7)
+    derham.set_thread_count(before)
+    assert used[1] - used[0] < 100_000

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -38,6 +39,18 @@ bool can_start_threads(Offset count) {
   }();
   return possible;
 }
+
+#if defined(DERHAM_THREADS_TBB)
+/// The arena of this thread, kept for its next loop: a new one takes a hundred times as long as a short loop, and TBB 2021.8
+/// does not free all of it.
+tbb::task_arena& arena_of_this_thread() {
+  thread_local std::optional<tbb::task_arena> arena;
+  // Never more than TBB's own workers: it would print that it ignores the others.
+  const int count = std::min(thread_count(), tbb::info::default_concurrency());
+  if (!arena || arena->max_concurrency() != count) arena.emplace(count);
+  return *arena;
+}
+#endif
 
 /// Calls one block of a parallel loop that `owner` began.
 void run_block(detail::BlockFunction function, void* context, Offset block, std::thread::id owner) {
@@ -76,9 +89,7 @@ void run_blocks(Offset blocks, BlockFunction function, void* context) {
   }
   const std::thread::id owner = std::this_thread::get_id();
 #if defined(DERHAM_THREADS_TBB)
-  // Never more than TBB's own workers: it would print that it ignores the others.
-  tbb::task_arena arena(std::min(static_cast<int>(threads), tbb::info::default_concurrency()));
-  arena.execute([&] {
+  arena_of_this_thread().execute([&] {
     tbb::parallel_for(
         Offset{0}, blocks, [&](Offset block) { run_block(function, context, block, owner); },
         tbb::simple_partitioner());
