@@ -126,17 +126,21 @@ auto lists_of(Set set) {
 }
 
 auto closure_of(const AnyComplex& any, const Lists& lists) {
-  return any.with_complex([&]<int n>(const SimplicialComplex<n>& K) { return lists_of(closure(K, set_of<n>(lists))); });
+  return any.with_complex([&]<int n>(const SimplicialComplex<n>& K) {
+    return lists_of(without_gil([&] { return closure(K, set_of<n>(lists)); }));
+  });
 }
 
 auto open_star_of(const AnyComplex& any, const Lists& lists) {
-  return any.with_complex(
-      [&]<int n>(const SimplicialComplex<n>& K) { return lists_of(star(CofaceLists<n>(K), set_of<n>(lists))); });
+  return any.with_complex([&]<int n>(const SimplicialComplex<n>& K) {
+    return lists_of(without_gil([&] { return star(CofaceLists<n>(K), set_of<n>(lists)); }));
+  });
 }
 
 auto link_of(const AnyComplex& any, const Lists& lists) {
-  return any.with_complex(
-      [&]<int n>(const SimplicialComplex<n>& K) { return lists_of(link(K, CofaceLists<n>(K), set_of<n>(lists))); });
+  return any.with_complex([&]<int n>(const SimplicialComplex<n>& K) {
+    return lists_of(without_gil([&] { return link(K, CofaceLists<n>(K), set_of<n>(lists)); }));
+  });
 }
 
 auto boundary_of(const AnyComplex& any) {

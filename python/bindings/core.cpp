@@ -52,7 +52,10 @@ void check_signals() {
 
 void bind_core(nb::module_& module) {
   nb::register_exception_translator(translate);
+  // In a process made by fork, the thread that called it is the main one.
+  const auto note_main_thread = [] { main_thread = PyThread_get_thread_ident(); };
   main_thread = nb::cast<unsigned long>(nb::module_::import_("threading").attr("main_thread")().attr("ident"));
+  nb::module_::import_("os").attr("register_at_fork")(nb::arg("after_in_child") = nb::cpp_function(note_main_thread));
   set_cancel_check(check_signals);
   module.attr("version") = version;
   module.attr("index_bits") = 8 * sizeof(Index);

@@ -34,12 +34,15 @@ auto report(const AnyComplex& any) {
 /// The dual cells of some k-simplices: (points, polylines, polygons) of each.
 auto cells(const AnyComplex& any, int k, const Indices& simplices) {
   return any.with_metric([&]<int n>(const Body<n>& body) {
-    const DualCells<n> all(*body.complex, *body.geometry, k);
+    std::vector<DualCell> cells;
+    without_gil([&] {
+      const DualCells<n> all(*body.complex, *body.geometry, k);
+      for (const Index i : span_of(simplices)) cells.push_back(all.cell(i));
+    });
     const auto d = static_cast<std::size_t>(body.geometry->coordinate_dimension());
     using Loops = std::vector<std::vector<Index>>;
     std::vector<std::tuple<Array<double>, Loops, Loops>> result;
-    for (const Index i : span_of(simplices)) {
-      DualCell cell = all.cell(i);
+    for (DualCell& cell : cells) {
       const std::size_t count = cell.points.size() / d;
       result.emplace_back(owned(std::move(cell.points), {count, d}), cell.polylines, cell.polygons);
     }

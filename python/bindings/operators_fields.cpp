@@ -178,7 +178,7 @@ auto flat(const AnyComplex& any, const std::string& kind, const Values& X) {
 void bind_operator_fields(nb::module_& module, ComplexClass& complex) {
   using nb::arg;
   nb::class_<AnyLocator>(module, "Locator")
-      .def(nb::init<const AnyComplex&>(), arg("complex"))
+      .def(nb::init<const AnyComplex&>(), arg("complex"), nb::call_guard<nb::gil_scoped_release>())
       .def("locate", &AnyLocator::locate, arg("points").noconvert())
       .def("nearest", &AnyLocator::nearest, arg("points").noconvert());
   complex.def("nodes", &nodes, arg("k"), arg("order"));

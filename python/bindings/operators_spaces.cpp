@@ -106,16 +106,20 @@ class AnyRefinement {
 
   [[nodiscard]] auto prolongation(int k) const {
     return visit([k]<int n>(const std::shared_ptr<const RefinementOf<n>>& of) {
-      return arrays_of(with_constant<0, n>(k, "the degree k", [&](auto degree) {
-        return SparseMatrix(prolongation_operator<degree()>(of->refinement).matrix());
+      return arrays_of(without_gil([&] {
+        return with_constant<0, n>(k, "the degree k", [&](auto degree) {
+          return SparseMatrix(prolongation_operator<degree()>(of->refinement).matrix());
+        });
       }));
     });
   }
 
   [[nodiscard]] auto restriction(int k) const {
     return visit([k]<int n>(const std::shared_ptr<const RefinementOf<n>>& of) {
-      return arrays_of(with_constant<0, n>(k, "the degree k", [&](auto degree) {
-        return SparseMatrix(restriction_operator<degree()>(of->refinement).matrix());
+      return arrays_of(without_gil([&] {
+        return with_constant<0, n>(k, "the degree k", [&](auto degree) {
+          return SparseMatrix(restriction_operator<degree()>(of->refinement).matrix());
+        });
       }));
     });
   }
@@ -136,8 +140,8 @@ void bind_operator_spaces(nb::module_& module, ComplexClass& complex) {
   complex.def("tagged_chain", &tagged, arg("part"), arg("coherent"));
   complex.def("tagged_facets", &facets_of, arg("part"));
   nb::class_<AnyRefinement>(module, "Refinement")
-      .def(nb::init<const AnyComplex&>(), arg("complex"))
-      .def("fine", &AnyRefinement::fine)
+      .def(nb::init<const AnyComplex&>(), arg("complex"), nb::call_guard<nb::gil_scoped_release>())
+      .def("fine", &AnyRefinement::fine, nb::call_guard<nb::gil_scoped_release>())
       .def("prolongation", &AnyRefinement::prolongation, arg("k"))
       .def("restriction", &AnyRefinement::restriction, arg("k"));
 }

@@ -48,8 +48,8 @@ class Boundary(Base):
 
         >>> import derham
         >>> K = derham.Complex([(0, 1, 2)])
-        >>> K.trace([1.0, 2, 4], 1).sum() == K.apply_d([1.0, 2, 4], 1).sum()
-        np.True_
+        >>> bool(K.trace([1.0, 2, 4], 1).sum() == K.apply_d([1.0, 2, 4], 1).sum())
+        True
         """
         k = self._degree(k, 0, self.dimension - 1)
         return self._boundary()[0].trace(k, self._one_form(w, k))

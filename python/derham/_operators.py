@@ -178,12 +178,14 @@ class Operators(Contraction):
         """The de Rham map: the integrals of a smooth k-form over the k-simplices, by a rule exact up to `order`.
 
         f        a function of points (count, m): its values (count,) for k = 0 and for densities (k = n, times the volume
-                 form of K's own orientation where n < m), its components (count, C(m, k)) otherwise, those of dx^i ∧ … ∧ dx^j with i < … < j in lexicographic order, for k = 1 so
-                 a vector field; or these numbers themselves where they are constant
+                 form of K's own orientation where n < m), its components (count, C(m, k)) otherwise, those of
+                 dx^i ∧ … ∧ dx^j with i < … < j in lexicographic order, for k = 1 so a vector field; or these numbers
+                 themselves where they are constant
         flux     f is a vector field (count, m), taken as the (n-1)-form of its flux; k = n-1 and m = n
         Shape    (|K_k|,)
         Cost     one call of f with (order//2 + 1)^k points for every k-simplex
-        Raises   InputError for a wrong degree, order, or number of components; GeometryError without positions
+        Raises   InputError for a wrong degree, order, or number of components; GeometryError without positions;
+                 TopologyError for a density where n < m and K is not orientable
         Source   Whitney, "Geometric integration theory", 1957, §IV.27
 
         >>> import derham

@@ -140,6 +140,7 @@ class Topology(Boundary):
         Shape    |K_{k-1}| × |K_k|; 0 × |K_0| for k = 0
         Memory   indices are the library's own, read-only; values and column pointers are made once and shared
         Law      boundary(k-1) @ boundary(k) is zero, exactly
+        Invalid  as int8, products of matrices whose sums exceed 127: they are int8, too. Take dtype=int
         Raises   InputError unless 0 <= k <= n
         Source   Elcott & Schröder, §4
 
@@ -161,6 +162,7 @@ class Topology(Boundary):
         Shape    |K_{k+1}| × |K_k|; dual: |K_{n-k-1}| × |K_{n-k}|; no rows for k = n
         Memory   as `boundary`
         Law      d(k+1) @ d(k) is zero, exactly
+        Invalid  as int8, graph Laplacians and other products as with `boundary`: take dtype=int
         Raises   InputError unless 0 <= k <= n; TopologyError for dual forms if K is not orientable
         Source   Elcott & Schröder, §6.1
 
@@ -266,16 +268,17 @@ class Topology(Boundary):
         np.add.at(result, index, sign * whole.astype(np.int64))
         return result
 
-    def incidence(self, k: int, m: int) -> sparse.csr_array:
+    def incidence(self, k: int, m: int, dtype: npt.DTypeLike = np.int8) -> sparse.csr_array:
         """Which m-simplices are incident on every k-simplex: its faces (m < k), its cofaces (m > k), itself.
 
-        Shape    |K_k| × |K_m|, entries 1 (int8) in increasing order
+        Shape    |K_k| × |K_m|, entries 1 in increasing order
+        Invalid  as int8, products whose sums exceed 127: take dtype=int
         Raises   InputError unless 0 <= k, m <= n
         Source   Elcott & Schröder, §4
         """
         k, m = self._degree(k), self._degree(m, name="m")
         offsets, indices = self._core.incidence(k, m)
-        arrays = np.ones(indices.size, np.int8), indices, offsets.astype(smallest_offsets(indices.size))
+        arrays = np.ones(indices.size, signed_dtype(dtype)), indices, offsets.astype(smallest_offsets(indices.size))
         return compressed(sparse.csr_array, arrays, (self._sizes[k], self._sizes[m]))
 
     def closure(self, simplices: Mapping[int, npt.ArrayLike]) -> dict[int, Integers]:

@@ -334,3 +334,13 @@ def test_loops_on_several_threads_leave_no_memory_behind() -> None:
         used.append(libc.mallinfo2().field_7)
     derham.set_thread_count(before)
     assert used[1] - used[0] < 100_000
+
+
+def test_products_of_other_types_do_not_overflow() -> None:
+    leaves = 199
+    star = derham.Complex([(0, leaf) for leaf in range(1, leaves + 1)])
+    d = star.d(0, dtype=int)
+    assert (d.T @ d).diagonal()[0] == leaves
+    assert (star.incidence(0, 1, dtype=int) @ star.incidence(1, 0, dtype=int)).diagonal()[0] == leaves
+    with pytest.raises(derham.InputError):
+        star.incidence(0, 1, dtype=bool)
