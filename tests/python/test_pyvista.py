@@ -27,7 +27,7 @@ def test_vertices_and_surfaces_in_space() -> None:
     points = derham.Complex([(0,), (1,)], points=[(0.0, 1), (2, 3)])
     assert set(derham.to_pyvista(points).celltypes) == {1}
     S = derham.generate.icosphere(2)
-    surface = derham.to_pyvista(S).extract_geometry()
+    surface = derham.to_pyvista(S).extract_surface(algorithm=None)
     assert surface.n_open_edges == 0 and surface.area == pytest.approx(S.volumes(2).sum())
     surface["u"] = S.points[:, 2]
     assert surface.contour([0.0]).compute_cell_sizes()["Length"].sum() == pytest.approx(2 * np.pi, rel=0.05)
