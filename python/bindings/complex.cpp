@@ -4,6 +4,7 @@
 #include "derham/complex/incidence.hpp"
 #include "derham/complex/subcomplex.hpp"
 #include "derham/core/parallel.hpp"
+#include "derham/io/unused_vertices.hpp"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
@@ -27,28 +28,29 @@ void set_positions(MeshData& mesh, std::vector<double>& place, const Coordinates
 }
 
 MeshData mesh_of(SimplexList rows, Index vertex_count, const Coordinates& points, const Coordinates& corners,
-                 const Coordinates& edge_lengths_squared) {
+                 const Coordinates& edge_lengths_squared, bool drop_unused) {
   MeshData mesh;
   mesh.simplices = std::move(rows);
   mesh.vertex_count = vertex_count < 0 ? mesh.simplices.vertex_bound() : vertex_count;
   set_positions(mesh, mesh.points, points);
   set_positions(mesh, mesh.corners, corners);
   if (edge_lengths_squared) mesh.edge_lengths_squared = copied(*edge_lengths_squared);
+  if (drop_unused) drop_unused_vertices(mesh);
   return mesh;
 }
 
 void construct(AnyComplex* self, const Rows& rows, Index vertex_count, const Coordinates& points,
-               const Coordinates& corners, const Coordinates& edge_lengths_squared) {
+               const Coordinates& corners, const Coordinates& edge_lengths_squared, bool drop_unused) {
   without_gil([&] {
     SimplexList list;
     if (rows.shape(0) > 0) list = SimplexList(static_cast<int>(rows.shape(1)) - 1, copied(rows));
-    new (self) AnyComplex(mesh_of(std::move(list), vertex_count, points, corners, edge_lengths_squared));
+    new (self) AnyComplex(mesh_of(std::move(list), vertex_count, points, corners, edge_lengths_squared, drop_unused));
   });
 }
 
 /// Rows of several lengths: `ends` says where in `vertices` each ends.
 void construct_mixed(AnyComplex* self, const Indices& vertices, const Indices& ends, Index vertex_count,
-                     const Coordinates& points) {
+                     const Coordinates& points, bool drop_unused) {
   without_gil([&] {
     SimplexList list;
     std::size_t begin = 0;
@@ -56,7 +58,7 @@ void construct_mixed(AnyComplex* self, const Indices& vertices, const Indices& e
       list.push_back(span_of(vertices).subspan(begin, static_cast<std::size_t>(end) - begin));
       begin = static_cast<std::size_t>(end);
     }
-    new (self) AnyComplex(mesh_of(std::move(list), vertex_count, points, {}, {}));
+    new (self) AnyComplex(mesh_of(std::move(list), vertex_count, points, {}, {}, drop_unused));
   });
 }
 
@@ -158,8 +160,9 @@ auto asked(Question question) {
 void bind_complex(ComplexClass& complex) {
   using nb::arg;
   complex.def("__init__", &construct, arg("simplices"), arg("vertex_count"), arg("points").none(),
-              arg("corners").none(), arg("edge_lengths_squared").none());
-  complex.def("__init__", &construct_mixed, arg("vertices"), arg("ends"), arg("vertex_count"), arg("points").none());
+              arg("corners").none(), arg("edge_lengths_squared").none(), arg("drop_unused") = false);
+  complex.def("__init__", &construct_mixed, arg("vertices"), arg("ends"), arg("vertex_count"), arg("points").none(),
+              arg("drop_unused") = false);
   complex.def_prop_ro("dimension", &AnyComplex::dimension);
   complex.def("size", &size, arg("k"));
   complex.def("simplices", &simplices, arg("k"));

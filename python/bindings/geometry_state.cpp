@@ -1,4 +1,5 @@
 #include "arrays.hpp"
+#include "mesh_items.hpp"
 #include "rooms.hpp"
 
 #include <nanobind/stl/string.h>
@@ -39,21 +40,6 @@ SimplexList list_of(const nb::handle& state) {
   return list;
 }
 
-/// Lists of structures as lists of tuples, and back.
-template <class Items, class Fields>
-nb::list listed(const Items& items, Fields&& fields) {
-  nb::list result;
-  for (const auto& item : items) result.append(fields(item));
-  return result;
-}
-template <class Fields, class Make>
-auto unlisted(const nb::handle& state, Make&& make) {
-  using Item = decltype(std::apply(make, std::declval<Fields>()));
-  std::vector<Item> result;
-  for (const nb::handle item : nb::cast<nb::list>(state)) result.push_back(std::apply(make, nb::cast<Fields>(item)));
-  return result;
-}
-
 State state(const AnyComplex& any) {
   MeshData mesh = any.mesh();
   State result;
@@ -66,17 +52,12 @@ State state(const AnyComplex& any) {
   result["edge_lengths_squared"] = owned(std::move(mesh.edge_lengths_squared));
   result["vertex_tags"] = owned(std::move(mesh.vertex_tags));
   result["row_tags"] = owned(std::move(mesh.row_tags));
-  result["lower"] = listed(mesh.lower, [](const SimplexList& list) { return state_of(list); });
-  result["parts"] = listed(mesh.parts, [](const MeshPart& part) {
-    return nb::make_tuple(part.name, part.number, part.degree, owned(std::vector<Index>(part.members)));
-  });
-  result["fields"] = listed(mesh.fields, [](const MeshField& field) {
-    return nb::make_tuple(field.name, field.on == MeshField::On::vertices, field.components,
-                          owned(std::vector<double>(field.values)));
-  });
-  result["forms"] = listed(mesh.forms, [](const MeshForm& form) {
-    return nb::make_tuple(form.name, form.degree, form.is_dual, owned(std::vector<double>(form.values)));
-  });
+  nb::list lower;
+  for (const SimplexList& list : mesh.lower) lower.append(state_of(list));
+  result["lower"] = lower;
+  result["parts"] = listed(mesh.parts);
+  result["fields"] = listed(mesh.fields);
+  result["forms"] = listed(mesh.forms);
   result["notes"] = mesh.notes;
   return result;
 }
@@ -97,18 +78,9 @@ AnyComplex restored(const State& state) {
   mesh.vertex_tags = numbers<std::int64_t>(state, "vertex_tags");
   mesh.row_tags = numbers<std::int64_t>(state, "row_tags");
   for (const nb::handle list : nb::cast<nb::list>(state["lower"])) mesh.lower.push_back(list_of(list));
-  mesh.parts = unlisted<std::tuple<std::string, std::int64_t, int, Indices>>(
-      state["parts"], [](auto name, auto number, int degree, const Indices& members) {
-        return MeshPart{name, number, degree, copied(members)};
-      });
-  mesh.fields = unlisted<std::tuple<std::string, bool, int, Values>>(
-      state["fields"], [](auto name, bool on_vertices, int components, const Values& values) {
-        return MeshField{name, on_vertices ? MeshField::On::vertices : MeshField::On::rows, components, copied(values)};
-      });
-  mesh.forms = unlisted<std::tuple<std::string, int, bool, Values>>(
-      state["forms"], [](auto name, int degree, bool is_dual, const Values& values) {
-        return MeshForm{name, degree, is_dual, copied(values)};
-      });
+  mesh.parts = parts_of(state["parts"]);
+  mesh.fields = fields_of(state["fields"]);
+  mesh.forms = forms_of(state["forms"]);
   mesh.notes = nb::cast<std::vector<std::string>>(state["notes"]);
   const std::vector<Sign> signs = numbers<Sign>(state, "signs");
   return without_gil([&] { return AnyComplex(std::move(mesh), signs); });

@@ -65,33 +65,6 @@ void draw(const AnyComplex& any, const std::string& path, const std::vector<Name
   });
 }
 
-/// (name, number, degree, members) of every part.
-auto parts(const AnyComplex& any) {
-  std::vector<std::tuple<std::string, std::int64_t, int, Array<Index>>> result;
-  for (const MeshPart& part : any.rest().parts)
-    result.emplace_back(part.name, part.number, part.degree, owned(std::vector<Index>(part.members)));
-  return result;
-}
-
-/// (name, whether on vertices, values (items, components)) of every field.
-auto fields(const AnyComplex& any) {
-  std::vector<std::tuple<std::string, bool, Array<double>>> result;
-  for (const MeshField& field : any.rest().fields) {
-    const auto components = static_cast<std::size_t>(field.components);
-    result.emplace_back(field.name, field.on == MeshField::On::vertices,
-                        owned(std::vector<double>(field.values), {field.values.size() / components, components}));
-  }
-  return result;
-}
-
-/// (name, degree, whether dual, values) of every form.
-auto forms(const AnyComplex& any) {
-  std::vector<std::tuple<std::string, int, bool, Array<double>>> result;
-  for (const MeshForm& form : any.rest().forms)
-    result.emplace_back(form.name, form.degree, form.is_dual, owned(std::vector<double>(form.values)));
-  return result;
-}
-
 }  // namespace
 
 void bind_io(nb::module_& module, ComplexClass& complex) {
@@ -100,10 +73,6 @@ void bind_io(nb::module_& module, ComplexClass& complex) {
              arg("drop_unused"));
   complex.def("write", &write, arg("path"), arg("format").none(), arg("binary").none(), arg("gmsh_41"));
   complex.def("draw", &draw, arg("path"), arg("forms"));
-  complex.def("parts", &parts);
-  complex.def("fields", &fields);
-  complex.def("forms", &forms);
-  complex.def("notes", [](const AnyComplex& any) { return any.rest().notes; });
 }
 
 }  // namespace derham::python

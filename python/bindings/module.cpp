@@ -13,6 +13,7 @@ NB_MODULE(_derham, module) {
   bind_forms(complex, boundary);
   bind_form_maps(module);
   bind_geometry(complex);
+  bind_geometry_data(complex);
   bind_geometry_state(complex);
   bind_dual(complex);
   StarClass star(module, "Star");

@@ -19,6 +19,7 @@ void bind_boundary(ComplexClass& complex, BoundaryClass& boundary);
 void bind_forms(ComplexClass& complex, BoundaryClass& boundary);
 void bind_form_maps(nanobind::module_& module);
 void bind_geometry(ComplexClass& complex);
+void bind_geometry_data(ComplexClass& complex);
 void bind_geometry_state(ComplexClass& complex);
 void bind_dual(ComplexClass& complex);
 void bind_hodge(StarClass& star);

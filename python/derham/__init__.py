@@ -11,9 +11,10 @@ False
 from . import errors  # first: the compiled half raises them
 from . import generate
 from ._derham import version as __version__
+from ._meshio import from_meshio, to_meshio
 from .complex import Complex, read
 from .errors import Error, FileError, GeometryError, InputError, LimitError, TopologyError
-from .exchange import from_meshio, to_meshio, to_pyvista
+from .exchange import to_pyvista
 from .maps import SimplicialMap
 from .point_clouds import rips
 from .threads import set_thread_count, thread_count

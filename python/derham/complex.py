@@ -19,9 +19,8 @@ from ._arguments import (
     index_dtype,
     path_text,
     shown,
-    utf8_text,
 )
-from ._base import Side
+from ._data import GivenForm
 from ._mesh import Mesh
 from ._operators import Operators
 from .errors import InputError
@@ -35,6 +34,8 @@ class Complex(Operators, Mesh):
     points                (|V|, m) positions of the vertices, m >= n
     edge_lengths_squared  (|E|,) by the index of the edge, instead of positions: `simplices(1)` has lexicographic order
     corners               (count, n+1, m) positions of the corners of every simplex on its own, for periodic meshes
+    drop_unused           leave out vertices that are in no simplex, else they are refused; `vertex_tags` then has their
+                          old numbers
 
     Top simplices are oriented coherently, each component by its total signed volume where n = m, else so that its first
     tuple is positive. A complex does not change; copies are itself. Metrics exist for pure complexes of dimension 0 to 4.
@@ -56,6 +57,7 @@ class Complex(Operators, Mesh):
         edge_lengths_squared: npt.ArrayLike | None = None,
         *,
         corners: npt.ArrayLike | None = None,
+        drop_unused: bool = False,
     ) -> None:
         given = [name for name, value in (("points", points), ("corners", corners),
                                           ("edge_lengths_squared", edge_lengths_squared)) if value is not None]
@@ -66,12 +68,13 @@ class Complex(Operators, Mesh):
         places = _positions(corners, 3, "corners", "(simplices, n+1, m)")
         lengths = _positions(edge_lengths_squared, 1, "edge_lengths_squared", "(edges,)")
         rows, ends = _rows(simplices)
+        drop = flag(drop_unused, "drop_unused")
         if ends is None and places is not None and places.shape[:2] != rows.shape:
             raise InputError(f"corners have shape {places.shape}; expected {rows.shape} and the dimension of space")
         if ends is None:
-            core = _derham.Complex(rows, vertex_count, positions, places, lengths)
+            core = _derham.Complex(rows, vertex_count, positions, places, lengths, drop)
         elif places is None and lengths is None:
-            core = _derham.Complex(rows, ends, vertex_count, positions)
+            core = _derham.Complex(rows, ends, vertex_count, positions, drop)
         else:
             raise InputError(f"simplices of several dimensions with {given[0]}; give simplices of one dimension")
         self._set(core)
@@ -105,7 +108,7 @@ class Complex(Operators, Mesh):
     def write_forms(
         self,
         path: str | PathLike[str],
-        forms: Mapping[str, tuple[npt.ArrayLike, int] | tuple[npt.ArrayLike, int, Side]],
+        forms: Mapping[str, GivenForm],
     ) -> None:
         """Writes a picture of forms for ParaView and VTK, a .vtu file: {name: (w, k)} or {name: (w, k, side)}.
 
@@ -115,14 +118,7 @@ class Complex(Operators, Mesh):
         Raises   InputError unless n and m are 1 to 3, or on a wrong shape; GeometryError without points; FileError if it
                  cannot be written
         """
-        if not isinstance(forms, Mapping) or not all(isinstance(form, tuple) and len(form) in (2, 3) for form in forms.values()):
-            raise InputError(f"forms is {shown(forms)}; expected a mapping from names to (w, k) or (w, k, side)")
-        named = []
-        for name, (w, k, *side) in forms.items():
-            name = utf8_text(name, "the name of a form")
-            given = side[0] if side else "primal"
-            dual, k = self._side(given), self._degree(k, name=f"of {name!r}")
-            named.append((name, self.dimension - k if dual else k, self._one_form(w, k, given, name)))
+        named = [(name, self.dimension - k if dual else k, w) for name, w, k, dual in self._named_forms(forms)]
         self._core.draw(path_text(path), named)
 
     def __repr__(self) -> str:

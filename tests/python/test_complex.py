@@ -132,7 +132,8 @@ def test_pickles_have_the_rest_of_the_mesh(tmp_path) -> None:  # type: ignore[no
     K = derham.read(path)
     L = pickle.loads(pickle.dumps(K))
     assert K.parts and L.parts == K.parts and L.notes == K.notes
-    np.testing.assert_array_equal(L.fields["heat"], [[0.5], [1], [2], [3]])
+    np.testing.assert_array_equal(L.vertex_fields["heat"], [0.5, 1, 2, 3])
+    assert L.vertex_tags.tolist() == [1, 2, 3, 4] and L.simplex_tags.tolist() == [2, 3]
     np.testing.assert_array_equal(K.tagged_chain(8), L.tagged_chain(8))
 
 

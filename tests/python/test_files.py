@@ -79,38 +79,6 @@ def test_oriented_simplices(tmp_path: Path) -> None:
     assert (K.signs < 0).any() and (derham.Complex(rows).signs == K.signs).all()
 
 
-class Block:
-    def __init__(self, type: str, data: np.ndarray) -> None:
-        self.type, self.data = type, data
-
-
-class Other:
-    """What meshio.Mesh has of interest."""
-
-    def __init__(self, points: np.ndarray, cells: list[Block]) -> None:
-        self.points, self.cells = points, cells
-
-
-def test_meshes_of_meshio() -> None:
-    points = np.array([(9, 9, 9), (0, 0, 0), (1, 0, 0), (0, 1, 0)])
-    K = derham.from_meshio(Other(points, [Block("line", np.array([[1, 2]])), Block("triangle", np.array([[1, 2, 3]]))]),
-                           planar=True)
-    assert K.sizes == (3, 3, 1) and K.ambient_dimension == 2
-    with pytest.raises(derham.InputError, match="'quad'; expected"):
-        derham.from_meshio(Other(points, [Block("quad", np.array([[0, 1, 2, 3]]))]))
-    for wrong in (-1, 4):
-        with pytest.raises(derham.InputError, match=f"vertex {wrong}; expected 0 to 3"):
-            derham.from_meshio(Other(points, [Block("line", np.array([[1, wrong]]))]))
-    meshio = pytest.importorskip("meshio")
-    L = derham.generate.ball(3, 2)
-    mesh = derham.to_meshio(L)
-    assert isinstance(mesh, meshio.Mesh)
-    M = derham.from_meshio(mesh)
-    assert (M.signs == L.signs).all() and (M.simplices(2) == L.simplices(2)).all() and (M.points == L.points).all()
-    with pytest.raises(derham.GeometryError, match="no points"):
-        derham.to_meshio(derham.generate.klein_bottle())
-
-
 def test_command_line() -> None:
     found = subprocess.run([sys.executable, "-m", "derham", "--version"], capture_output=True, text=True)
     if found.returncode and "not part of this installation" in found.stderr:
