@@ -25,10 +25,12 @@ class AnyBoundary {
       : boundary_(any.visit<1>(
             []<int n>(const Body<n>& body) { return Boundaries(std::make_shared<const BoundaryOf<n>>(body)); })) {}
 
-  /// action(boundary), a shared_ptr<const BoundaryOf<n>>.
-  template <class Action>
+  /// action(boundary), a shared_ptr<const BoundaryOf<n>>, with n up to high.
+  /// Throws   InputError in higher dimensions
+  template <int high = max_dimension, class Action>
   auto visit(Action&& action) const {
-    return std::visit(action, boundary_);
+    return with_constant<1, high>(static_cast<int>(boundary_.index()) + 1, "the dimension of the complex",
+                                  [&](auto n) { return action(std::get<Pointer<n()>>(boundary_)); });
   }
 
  private:

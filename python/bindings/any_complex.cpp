@@ -22,6 +22,14 @@ Geometry<n> geometry_of(const SimplicialComplex<n>& K, MeshData& mesh) {
   return Geometry<n>::from_squared_lengths(K, mesh.edge_lengths_squared);
 }
 
+/// Gives the body the metric of the mesh, if both admit one.
+template <int n>
+void measure(Body<n>& body, MeshData& mesh) {
+  if constexpr (n <= max_metric_dimension)
+    if (has_metric(mesh) && body.complex->is_pure())
+      body.geometry = std::make_shared<const Geometry<n>>(geometry_of(*body.complex, mesh));
+}
+
 template <int n>
 void orient_as(SimplicialComplex<n>& K, std::span<const Sign> signs) {
   if (!signs.empty()) K.orient_by(std::vector<double>(signs.begin(), signs.end()));
@@ -33,12 +41,9 @@ Body<n> body_of(MeshData& mesh, std::span<const Sign> signs) {
   const auto K = empty ? std::make_shared<SimplicialComplex<n>>()
                        : std::make_shared<SimplicialComplex<n>>(mesh.simplices, mesh.vertex_count);
   Body<n> body{K, {}};
-  if constexpr (n <= max_metric_dimension) {
-    if (has_metric(mesh) && K->is_pure()) {
-      body.geometry = std::make_shared<const Geometry<n>>(geometry_of(*K, mesh));
-      orient_by_volume(*K, *body.geometry);
-    }
-  }
+  measure(body, mesh);
+  if constexpr (n <= max_metric_dimension)
+    if (body.geometry) orient_by_volume(*K, *body.geometry);
   orient_as(*K, signs);
   return body;
 }
@@ -91,6 +96,15 @@ AnyComplex::AnyComplex(MeshData mesh, std::span<const Sign> signs)
     : body_(with_constant<0, max_dimension>(std::max(0, mesh.simplices.dimension()), "the dimension of the simplices",
                                             [&](auto n) { return Bodies(body_of<n()>(mesh, signs)); })),
       rest_(std::move(mesh)) {
+  drop_what_the_body_holds();
+}
+
+AnyComplex::AnyComplex(Bodies complex, MeshData mesh) : body_(std::move(complex)), rest_(std::move(mesh)) {
+  std::visit([this](auto& body) { measure(body, rest_); }, body_);
+  drop_what_the_body_holds();
+}
+
+void AnyComplex::drop_what_the_body_holds() {
   visit([this](const auto& body) {
     if (body.complex->is_pure()) rest_.simplices = SimplexList();
     if (!body.complex->is_pure() || body.complex->dimension > max_metric_dimension) return;

@@ -35,6 +35,9 @@ class AnyComplex {
   /// Throws   what SimplicialComplex and Geometry throw
   explicit AnyComplex(MeshData mesh, std::span<const Sign> signs = {});
 
+  /// A complex that there is already, with the metric and the rest of its mesh.
+  AnyComplex(Bodies complex, MeshData mesh);
+
   /// A complex that another object of the library owns or made.
   template <int n>
   explicit AnyComplex(Body<n> body) : body_(std::move(body)) {}
@@ -77,6 +80,7 @@ class AnyComplex {
 
  private:
   [[noreturn]] static void refuse_metric(bool pure);
+  void drop_what_the_body_holds();
 
   Bodies body_;
   MeshData rest_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "unlocked.hpp"
+
 #include "derham/core/large_pages.hpp"
 #include "derham/core/types.hpp"
 
@@ -64,25 +66,32 @@ template <class Container>
   return owned(std::move(values), {size});
 }
 
-/// A read-only numpy view of memory that `keeper` keeps alive.
+/// Every list of several as an array.
+template <class Lists>
+[[nodiscard]] auto owned_each(Lists lists) {
+  std::vector<decltype(owned(std::move(*lists.begin())))> arrays;
+  for (auto& list : lists) arrays.push_back(owned(std::move(list)));
+  return arrays;
+}
+
+/// The values of a form, in memory of their own.
+template <class Form>
+[[nodiscard]] std::vector<double> values_of(const Form& form) {
+  return {form.values().begin(), form.values().end()};
+}
+
+/// A numpy view of memory that `keeper` keeps alive, read-only if T is const.
 template <class T>
-[[nodiscard]] Array<const T> view(std::span<const T> values, std::initializer_list<std::size_t> shape,
-                                  std::shared_ptr<const void> keeper) {
+[[nodiscard]] Array<T> view(std::span<T> values, std::initializer_list<std::size_t> shape,
+                            std::shared_ptr<const void> keeper) {
   auto* const kept = new std::shared_ptr<const void>(std::move(keeper));
   const nb::capsule owner(kept,
                           [](void* memory) noexcept { delete static_cast<std::shared_ptr<const void>*>(memory); });
-  return Array<const T>(values.data(), shape, owner);
+  return Array<T>(values.data(), shape, owner);
 }
 template <class T>
-[[nodiscard]] Array<const T> view(std::span<const T> values, std::shared_ptr<const void> keeper) {
+[[nodiscard]] Array<T> view(std::span<T> values, std::shared_ptr<const void> keeper) {
   return view(values, {values.size()}, std::move(keeper));
-}
-
-/// The result of `work`, done while other Python threads may run.
-template <class Work>
-auto without_gil(Work&& work) {
-  const nb::gil_scoped_release released;
-  return work();
 }
 
 }  // namespace derham::python

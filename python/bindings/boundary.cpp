@@ -67,8 +67,8 @@ void bind_boundary(ComplexClass& complex, BoundaryClass& boundary) {
   complex.def("apply_coboundary", &coboundary, arg("k"), arg("x").noconvert(), arg("y").noconvert());
   complex.def("apply_boundary", &boundary_of, arg("k"), arg("x").noconvert(), arg("y").noconvert());
   complex.def("check", &check);
-  boundary.def(nb::init<const AnyComplex&>(), arg("complex"));
-  boundary.def("complex", &complex_of);
+  boundary.def(nb::init<const AnyComplex&>(), arg("complex"), nb::call_guard<Unlocked>());
+  boundary.def("complex", &complex_of, nb::call_guard<Unlocked>());
   boundary.def("inclusion", &inclusion_of);
 }
 

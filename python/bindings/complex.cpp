@@ -111,20 +111,18 @@ auto incident(const AnyComplex& any, int k, int m) {
 }
 
 /// A set of simplices as Python has it: the increasing indices of every degree.
-using Lists = std::vector<std::vector<Index>>;
+using Lists = std::vector<Indices>;
 
 template <int n>
 SimplexSet<n> set_of(const Lists& lists) {
   SimplexSet<n> set;
-  for (std::size_t k = 0; k < std::min(lists.size(), set.indices.size()); ++k) set.indices[k] = lists[k];
+  for (std::size_t k = 0; k < std::min(lists.size(), set.indices.size()); ++k) set.indices[k] = copied(lists[k]);
   return set;
 }
 
 template <class Set>
 auto lists_of(Set set) {
-  std::vector<Array<Index>> lists;
-  for (auto& indices : set.indices) lists.push_back(owned(std::move(indices)));
-  return lists;
+  return owned_each(std::move(set.indices));
 }
 
 auto closure_of(const AnyComplex& any, const Lists& lists) {
@@ -146,7 +144,7 @@ auto link_of(const AnyComplex& any, const Lists& lists) {
 }
 
 auto boundary_of(const AnyComplex& any) {
-  return any.with_complex([](const auto& K) { return lists_of(boundary_simplices(K)); });
+  return any.with_complex([](const auto& K) { return lists_of(without_gil([&] { return boundary_simplices(K); })); });
 }
 
 /// A question that K answers at once.
@@ -176,7 +174,7 @@ void bind_complex(ComplexClass& complex) {
   complex.def("boundary_simplices", &boundary_of);
   complex.def("is_orientable", asked([](const auto& K) { return K.is_orientable(); }));
   complex.def("is_pure", asked([](const auto& K) { return K.is_pure(); }));
-  complex.def("component_count", asked([](const auto& K) { return K.component_count(); }));
+  complex.def("component_count", asked([](const auto& K) { return K.component_count(); }), nb::call_guard<Unlocked>());
   complex.def("one_sided", asked([](const auto& K) { return owned(K.orientation().one_sided); }));
 }
 

@@ -11,11 +11,6 @@
 namespace derham::python {
 namespace {
 
-template <class Form>
-auto values_of(const Form& form) {
-  return std::vector<double>(form.values().begin(), form.values().end());
-}
-
 void wedge_of(const AnyComplex& any, int p, const Values& a, int q, const Values& b, const Output& y) {
   without_gil(
       [&] { any.with_complex([&](const auto& K) { apply_wedge(K, p, span_of(a), q, span_of(b), span_of(y)); }); });

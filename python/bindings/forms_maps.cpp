@@ -83,7 +83,7 @@ void bind_form_maps(nb::module_& module) {
   using nb::arg;
   nb::class_<AnyMap>(module, "SimplicialMap")
       .def(nb::init<const AnyComplex&, const AnyComplex&, const Indices&>(), arg("source"), arg("target"),
-           arg("vertices").noconvert())
+           arg("vertices").noconvert(), nb::call_guard<Unlocked>())
       .def("images", &AnyMap::images, arg("k"))
       .def("pullback", &AnyMap::pullback, arg("k"), arg("x").noconvert(), arg("y").noconvert());
 }

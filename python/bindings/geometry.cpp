@@ -4,12 +4,15 @@
 #include "derham/complex/renumbering.hpp"
 #include "derham/geometry/quality.hpp"
 #include "derham/geometry/renumber_mesh.hpp"
+#include "derham/geometry/top_volumes.hpp"
 #include "derham/geometry/volumes.hpp"
 
 #include <nanobind/stl/tuple.h>
 
+#include <cmath>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace derham::python {
 namespace {
@@ -54,23 +57,38 @@ nb::object points_of(const AnyComplex& any) {
 auto corners_of(const AnyComplex& any) {
   return any.with_metric([]<int n>(const Body<n>& body) {
     const auto d = static_cast<std::size_t>(body.geometry->coordinate_dimension());
+    const auto rows = static_cast<std::size_t>(body.complex->size(n));
     std::vector<double> values;
-    for (Index t = 0; t < body.complex->size(n); ++t)
-      for (const double* corner : body.geometry->corners(*body.complex, t))
-        values.insert(values.end(), corner, corner + d);
-    return owned(std::move(values), {static_cast<std::size_t>(body.complex->size(n)), n + 1, d});
+    without_gil([&] {
+      values.reserve(rows * (n + 1) * d);
+      for (Index t = 0; t < body.complex->size(n); ++t)
+        for (const double* corner : body.geometry->corners(*body.complex, t))
+          values.insert(values.end(), corner, corner + d);
+    });
+    return owned(std::move(values), {rows, n + 1, d});
   });
+}
+
+/// The library measures the degrees between 0 and n all at once.
+template <int n>
+std::vector<double> volumes_of(const SimplicialComplex<n>& K, const Geometry<n>& geometry, int k) {
+  if (k == 0) return std::vector<double>(static_cast<std::size_t>(K.size(0)), 1.0);
+  if (0 < k && k < n) return std::move(primal_volumes(K, geometry)[static_cast<std::size_t>(k)]);
+  std::vector<double> volumes = top_volumes(K, geometry).volume;
+  for (double& volume : volumes) volume = std::abs(volume);
+  return volumes;
 }
 
 auto volumes(const AnyComplex& any, int k) {
   return any.with_metric([k](const auto& body) {
-    auto all = without_gil([&] { return primal_volumes(*body.complex, *body.geometry); });
-    return owned(std::move(all[static_cast<std::size_t>(k)]));
+    return owned(without_gil([&] { return volumes_of(*body.complex, *body.geometry, k); }));
   });
 }
 
 auto lengths_squared(const AnyComplex& any) {
-  return any.with_metric<1>([](const auto& body) { return owned(squared_lengths(*body.complex, *body.geometry)); });
+  return any.with_metric<1>([](const auto& body) {
+    return owned(without_gil([&] { return squared_lengths(*body.complex, *body.geometry); }));
+  });
 }
 
 auto quality_of(const AnyComplex& any) {
@@ -83,9 +101,9 @@ auto quality_of(const AnyComplex& any) {
 
 /// The complex with other numbers, the new number of every vertex, the old row at every place.
 auto renumbered(const AnyComplex& any, bool along_hilbert_curve) {
-  MeshData mesh = any.mesh();
   Renumbering numbers;
   AnyComplex result = without_gil([&] {
+    MeshData mesh = any.mesh();
     numbers = along_hilbert_curve ? hilbert_order(mesh) : reverse_cuthill_mckee(mesh.simplices, mesh.vertex_count);
     renumber(mesh, numbers);
     return AnyComplex(std::move(mesh));

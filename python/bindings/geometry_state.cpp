@@ -41,7 +41,7 @@ SimplexList list_of(const nb::handle& state) {
 }
 
 State state(const AnyComplex& any) {
-  MeshData mesh = any.mesh();
+  MeshData mesh = without_gil([&] { return any.mesh(); });
   State result;
   result["simplices"] = state_of(mesh.simplices);
   result["signs"] = any.with_complex([](const auto& K) { return owned(std::vector<Sign>(K.orientation().sign)); });

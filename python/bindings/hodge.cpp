@@ -26,7 +26,8 @@ auto diagonal(const AnyStar& any, int k) {
 }
 
 auto inverse_diagonal(const AnyStar& any, int k) {
-  return any.visit([k](const auto& star) { return owned(star->star.inverse_diagonal(k)); });
+  return any.visit(
+      [k](const auto& star) { return owned(without_gil([&] { return star->star.inverse_diagonal(k); })); });
 }
 
 }  // namespace

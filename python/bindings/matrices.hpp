@@ -5,6 +5,7 @@
 #include "derham/operators/linear_map.hpp"
 
 #include <memory>
+#include <span>
 #include <tuple>
 
 namespace derham::python {
@@ -13,14 +14,11 @@ namespace derham::python {
 [[nodiscard]] inline auto arrays_of(SparseMatrix given) {
   given.makeCompressed();
   const auto matrix = std::make_shared<SparseMatrix>(std::move(given));
-  const auto array = [&matrix](auto* data, Eigen::Index size) {
-    auto* const kept = new std::shared_ptr<SparseMatrix>(matrix);
-    const nb::capsule owner(kept,
-                            [](void* memory) noexcept { delete static_cast<std::shared_ptr<SparseMatrix>*>(memory); });
-    return Array<std::remove_pointer_t<decltype(data)>>(data, {static_cast<std::size_t>(size)}, owner);
-  };
-  return std::tuple(array(matrix->valuePtr(), matrix->nonZeros()), array(matrix->innerIndexPtr(), matrix->nonZeros()),
-                    array(matrix->outerIndexPtr(), matrix->outerSize() + 1));
+  const auto entries = static_cast<std::size_t>(matrix->nonZeros());
+  const auto rows = static_cast<std::size_t>(matrix->outerSize());
+  return std::tuple(view(std::span(matrix->valuePtr(), entries), matrix),
+                    view(std::span(matrix->innerIndexPtr(), entries), matrix),
+                    view(std::span(matrix->outerIndexPtr(), rows + 1), matrix));
 }
 
 }  // namespace derham::python

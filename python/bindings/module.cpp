@@ -4,6 +4,7 @@
 // shapes, keeps matrices and has the documentation.
 NB_MODULE(_derham, module) {
   using namespace derham::python;
+  nanobind::set_leak_warnings(false);  // what daemon threads hold when the interpreter ends is none
   module.doc() = "The compiled half of derham; use the package `derham` instead.";
   bind_core(module);
   ComplexClass complex(module, "Complex");
@@ -18,11 +19,13 @@ NB_MODULE(_derham, module) {
   bind_dual(complex);
   StarClass star(module, "Star");
   bind_hodge(star);
-  bind_operators(complex, star, boundary);
+  bind_operators(complex, star);
+  bind_operator_boundary(boundary);
   bind_operator_contractions(complex, star);
   bind_operator_fields(module, complex);
-  bind_operator_matrices(star);
+  bind_operator_matrices(complex, star);
   bind_operator_spaces(module, complex);
   bind_meshes(module);
   bind_io(module, complex);
+  bind_io_series(module);
 }

@@ -1,11 +1,10 @@
 #include "any_star.hpp"
-#include "matrices.hpp"
+#include "arrays.hpp"
 #include "rooms.hpp"
 
-#include "derham/operators/boundary_terms.hpp"
 #include "derham/operators/hot_weights.hpp"
+#include "derham/operators/linear_map.hpp"
 #include "derham/operators/star_report.hpp"
-#include "derham/operators/weak_laplacian.hpp"
 #include "derham/operators/whitney_mass.hpp"
 
 #include <nanobind/stl/string.h>
@@ -15,6 +14,7 @@
 #include <string>
 #include <tuple>
 
+// What stars and masses are good for, and weights that make a star good.
 namespace derham::python {
 namespace {
 
@@ -31,13 +31,6 @@ auto report_of_star(const AnyStar& any, int k) {
   });
 }
 
-auto mass(const AnyComplex& any, int k, const MaterialArgument& material) {
-  return any.with_metric([&](const auto& body) {
-    return arrays_of(
-        without_gil([&] { return whitney_mass(*body.complex, *body.geometry, k, material_of(material)); }));
-  });
-}
-
 auto report_of_mass(const AnyComplex& any, int k, const MaterialArgument& given) {
   return any.with_metric<1>([&](const auto& body) {
     return fields_of(without_gil([&] {
@@ -48,77 +41,22 @@ auto report_of_mass(const AnyComplex& any, int k, const MaterialArgument& given)
   });
 }
 
-template <class Lists>
-auto arrays_by_degree(Lists& lists) {
-  std::vector<Array<Index>> arrays;
-  for (auto& list : lists) arrays.push_back(owned(std::move(list)));
-  return arrays;
-}
-
 auto weights(const AnyComplex& any, double margin) {
   return any.with_metric<1>([margin](const auto& body) {
     auto found = without_gil([&] { return hot_weights(*body.complex, *body.geometry, margin); });
     return std::tuple(owned(std::move(found.weights)), found.energy_before, found.energy,
-                      arrays_by_degree(found.not_positive_before), arrays_by_degree(found.not_positive),
+                      owned_each(std::move(found.not_positive_before)), owned_each(std::move(found.not_positive)),
                       found.excluded_range, found.advice);
-  });
-}
-
-auto weak_laplacian(const AnyStar& any, int k) {
-  return any.visit<1>(
-      [k](const auto& star) { return arrays_of(without_gil([&] { return weak_laplace_de_rham(star->star, k); })); });
-}
-
-/// The matrix and the mass; σ comes first.
-auto mixed_laplacian(const AnyComplex& any, int k, const MaterialArgument& material) {
-  return any.with_metric<1>([&](const auto& body) {
-    auto mixed =
-        without_gil([&] { return mixed_laplace_de_rham(*body.complex, *body.geometry, k, material_of(material)); });
-    return std::tuple(arrays_of(std::move(mixed.matrix)), arrays_of(std::move(mixed.mass)));
-  });
-}
-
-auto matrix_of_trace(const AnyBoundary& any, int k) {
-  using Arrays = decltype(arrays_of(SparseMatrix()));
-  return any.visit([k]<int n>(const std::shared_ptr<const BoundaryOf<n>>& of) -> Arrays {
-    if constexpr (n > max_metric_dimension)
-      throw InputError(text("the dimension of the complex is ", n, "; expected 1 to ", max_metric_dimension));
-    else
-      return arrays_of(without_gil([&] { return trace_matrix(*of->body.complex, of->boundary, k); }));
-  });
-}
-
-/// S is given by its values, indices and pointers, by rows.
-using Places = Input<SparseMatrix::StorageIndex, nb::ndim<1>>;
-auto matrix_of_robin(const AnyBoundary& any, int k, const Values& values, const Places& indices,
-                     const Places& pointers) {
-  using Arrays = decltype(arrays_of(SparseMatrix()));
-  return any.visit([&]<int n>(const std::shared_ptr<const BoundaryOf<n>>& of) -> Arrays {
-    if constexpr (n > max_metric_dimension) {
-      throw InputError(text("the dimension of the complex is ", n, "; expected 1 to ", max_metric_dimension));
-    } else {
-      const auto size = static_cast<Eigen::Index>(of->boundary.complex.size(k));
-      const Eigen::Map<const SparseMatrix> S(size, size, static_cast<Eigen::Index>(values.size()), pointers.data(),
-                                             indices.data(), values.data());
-      return arrays_of(
-          without_gil([&] { return robin_matrix<n>(*of->body.complex, of->boundary, k, SparseMatrix(S)); }));
-    }
   });
 }
 
 }  // namespace
 
-void bind_operators(ComplexClass& complex, StarClass& star, BoundaryClass& boundary) {
+void bind_operators(ComplexClass& complex, StarClass& star) {
   using nb::arg;
   star.def("report", &report_of_star, arg("k"));
-  star.def("weak_laplacian", &weak_laplacian, arg("k"));
-  boundary.def("trace_matrix", &matrix_of_trace, arg("k"));
-  boundary.def("robin_matrix", &matrix_of_robin, arg("k"), arg("values").noconvert(), arg("indices").noconvert(),
-               arg("pointers").noconvert());
-  complex.def("hot_weights", &weights, arg("margin"));
-  complex.def("mixed_laplacian", &mixed_laplacian, arg("k"), arg("material").none());
-  complex.def("whitney_mass", &mass, arg("k"), arg("material").none());
   complex.def("whitney_report", &report_of_mass, arg("k"), arg("material").none());
+  complex.def("hot_weights", &weights, arg("margin"));
 }
 
 }  // namespace derham::python

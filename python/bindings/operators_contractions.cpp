@@ -16,16 +16,13 @@ namespace {
 using Field = std::function<std::span<const double>(std::span<const double>)>;
 using Function = nb::typed<nb::callable, nb::object(nb::object)>;
 
-template <class Form>
-auto values_of(const Form& form) {
-  return std::vector<double>(form.values().begin(), form.values().end());
-}
-
-/// Calls `work` so that all loops within run on one thread, in their order.
+/// Calls `work` without the interpreter's lock, and so that all loops within run on one thread, in their order.
 template <class Work>
 void in_order(Work&& work) {
-  parallel_blocks(2, 1, [&](Offset begin, Offset) {
-    if (begin == 0) work();
+  without_gil([&] {
+    parallel_blocks(2, 1, [&](Offset begin, Offset) {
+      if (begin == 0) work();
+    });
   });
 }
 
@@ -41,11 +38,7 @@ void with_all_values(const Function& X, std::size_t m, Operation&& operation) {
   };
   in_order([&] { operation(note); });
   const std::size_t count = points.size() / m;
-  std::vector<double> values;
-  {
-    const nb::gil_scoped_acquire held;
-    values = copied(nb::cast<Values>(X(owned(std::move(points), {count, m}))));
-  }
+  const auto values = nb::cast<Values>(X(owned(std::move(points), {count, m})));
   const double* next = values.data();
   const Field give = [&](std::span<const double>) { return std::span<const double>(std::exchange(next, next + m), m); };
   in_order([&] { operation(give); });
@@ -71,12 +64,10 @@ auto contract_constant(const AnyComplex& any, int k, const Values& w, const Valu
 
 auto contract(const AnyComplex& any, int k, const Values& w, const Function& X, bool upwind, int order) {
   return any.with_metric<1>([&](const auto& body) {
-    return owned(without_gil([&] {
-      std::vector<double> result;
-      with_all_values(X, static_cast<std::size_t>(body.geometry->ambient_dimension()),
-                      [&](const Field& field) { result = contraction(body, k, w, field, upwind, order); });
-      return result;
-    }));
+    std::vector<double> result;
+    with_all_values(X, static_cast<std::size_t>(body.geometry->ambient_dimension()),
+                    [&](const Field& field) { result = contraction(body, k, w, field, upwind, order); });
+    return owned(std::move(result));
   });
 }
 
@@ -92,12 +83,10 @@ double bound_constant(const AnyComplex& any, const Values& X, int order) {
 
 double bound_of(const AnyComplex& any, const Function& X, int order) {
   return any.with_metric<1>([&](const auto& body) {
-    return without_gil([&] {
-      double result = 0;
-      with_all_values(X, static_cast<std::size_t>(body.geometry->ambient_dimension()),
-                      [&](const Field& field) { result = bound(body, field, order); });
-      return result;
-    });
+    double result = 0;
+    with_all_values(X, static_cast<std::size_t>(body.geometry->ambient_dimension()),
+                    [&](const Field& field) { result = bound(body, field, order); });
+    return result;
   });
 }
 

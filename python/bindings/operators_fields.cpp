@@ -8,22 +8,16 @@
 #include "derham/operators/sharp_and_flat.hpp"
 #include "derham/operators/whitney_map.hpp"
 
-#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <limits>
 #include <string>
 #include <tuple>
 
 // Between smooth and discrete forms: integration, interpolation, sharps and flats.
 namespace derham::python {
 namespace {
-
-/// The values of a form, of its own memory.
-template <class Form>
-auto values_of(const Form& form) {
-  return std::vector<double>(form.values().begin(), form.values().end());
-}
 
 /// (|K_k|, nodes, m)
 auto nodes(const AnyComplex& any, int k, int order) {
@@ -69,15 +63,26 @@ auto integrate_density(const AnyComplex& any, int order, const Values& values) {
   });
 }
 
-template <int n>
-auto arrays_of_points(const std::vector<BarycentricPoint<n>>& points) {
+/// The top simplices of points, -1 outside, barycentric coordinates there, and how far away from them the points are.
+struct Places {
   std::vector<Index> simplex;
-  std::vector<double> barycentric;
-  for (const auto& point : points) {
-    simplex.push_back(point.simplex);
-    barycentric.insert(barycentric.end(), point.barycentric.begin(), point.barycentric.end());
-  }
-  return std::pair(owned(std::move(simplex)), owned(std::move(barycentric), {points.size(), n + 1}));
+  std::vector<double> barycentric, distance;
+};
+
+template <int n>
+Places places_of(const PointLocator<n>& locator, std::span<const double> points, bool nearest) {
+  Places places;
+  const auto add = [&places](const BarycentricPoint<n>& point, double distance) {
+    places.simplex.push_back(point.simplex);
+    places.barycentric.insert(places.barycentric.end(), point.barycentric.begin(), point.barycentric.end());
+    places.distance.push_back(distance);
+  };
+  if (nearest)
+    for (const NearestPoint<n>& found : locator.nearest_all(points)) add(found.point, found.distance);
+  else
+    for (const BarycentricPoint<n>& found : locator.locate_all(points))
+      add(found, found.simplex < 0 ? std::numeric_limits<double>::quiet_NaN() : 0.0);
+  return places;
 }
 
 template <int n>
@@ -94,28 +99,14 @@ class AnyLocator {
       : locator_(any.with_metric<1>(
             []<int n>(const Body<n>& body) { return Locators(std::make_shared<const LocatorOf<n>>(body)); })) {}
 
-  /// The top simplex of every point, -1 outside, and barycentric coordinates.
-  [[nodiscard]] auto locate(const Values& points) const {
-    return std::visit(
-        [&](const auto& of) {
-          return arrays_of_points(without_gil([&] { return of->locator.locate_all(span_of(points)); }));
-        },
-        locator_);
-  }
-
-  /// The same for the nearest points of the complex, and how far away they are.
-  [[nodiscard]] auto nearest(const Values& points) const {
+  /// Where points are, or their nearest points: simplex (count,), barycentric (count, n+1), distance (count,).
+  [[nodiscard]] auto locate(const Values& points, bool nearest) const {
     return std::visit(
         [&]<int n>(const std::shared_ptr<const LocatorOf<n>>& of) {
-          const auto found = without_gil([&] { return of->locator.nearest_all(span_of(points)); });
-          std::vector<BarycentricPoint<n>> places;
-          std::vector<double> distances;
-          for (const auto& point : found) {
-            places.push_back(point.point);
-            distances.push_back(point.distance);
-          }
-          auto [simplex, barycentric] = arrays_of_points(places);
-          return std::tuple(simplex, barycentric, owned(std::move(distances)));
+          Places places = without_gil([&] { return places_of<n>(of->locator, span_of(points), nearest); });
+          const std::size_t count = places.simplex.size();
+          return std::tuple(owned(std::move(places.simplex)), owned(std::move(places.barycentric), {count, n + 1}),
+                            owned(std::move(places.distance)));
         },
         locator_);
   }
@@ -178,9 +169,8 @@ auto flat(const AnyComplex& any, const std::string& kind, const Values& X) {
 void bind_operator_fields(nb::module_& module, ComplexClass& complex) {
   using nb::arg;
   nb::class_<AnyLocator>(module, "Locator")
-      .def(nb::init<const AnyComplex&>(), arg("complex"), nb::call_guard<nb::gil_scoped_release>())
-      .def("locate", &AnyLocator::locate, arg("points").noconvert())
-      .def("nearest", &AnyLocator::nearest, arg("points").noconvert());
+      .def(nb::init<const AnyComplex&>(), arg("complex"), nb::call_guard<Unlocked>())
+      .def("locate", &AnyLocator::locate, arg("points").noconvert(), arg("nearest"));
   complex.def("nodes", &nodes, arg("k"), arg("order"));
   complex.def("integrate", &integrate, arg("k"), arg("order"), arg("values").noconvert());
   complex.def("integrate_density", &integrate_density, arg("order"), arg("values").noconvert());

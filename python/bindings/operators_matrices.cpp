@@ -3,10 +3,12 @@
 #include "rooms.hpp"
 
 #include "derham/operators/laplace_de_rham.hpp"
+#include "derham/operators/weak_laplacian.hpp"
+#include "derham/operators/whitney_mass.hpp"
 
 #include <nanobind/stl/tuple.h>
 
-// δ and Laplace–de Rham as matrices.
+// δ, Laplace–de Rham in all its forms, and Whitney masses as matrices.
 namespace derham::python {
 namespace {
 
@@ -42,12 +44,36 @@ auto laplacian_of(const AnyStar& any, int k, bool dual) {
   });
 }
 
+auto weak_laplacian(const AnyStar& any, int k) {
+  return any.visit<1>(
+      [k](const auto& star) { return arrays_of(without_gil([&] { return weak_laplace_de_rham(star->star, k); })); });
+}
+
+/// The matrix and the mass; σ comes first.
+auto mixed_laplacian(const AnyComplex& any, int k, const MaterialArgument& material) {
+  return any.with_metric<1>([&](const auto& body) {
+    auto mixed =
+        without_gil([&] { return mixed_laplace_de_rham(*body.complex, *body.geometry, k, material_of(material)); });
+    return std::tuple(arrays_of(std::move(mixed.matrix)), arrays_of(std::move(mixed.mass)));
+  });
+}
+
+auto mass(const AnyComplex& any, int k, const MaterialArgument& material) {
+  return any.with_metric([&](const auto& body) {
+    return arrays_of(
+        without_gil([&] { return whitney_mass(*body.complex, *body.geometry, k, material_of(material)); }));
+  });
+}
+
 }  // namespace
 
-void bind_operator_matrices(StarClass& star) {
+void bind_operator_matrices(ComplexClass& complex, StarClass& star) {
   using nb::arg;
   star.def("codifferential", &codifferential_of, arg("k"), arg("dual"));
   star.def("laplacian", &laplacian_of, arg("k"), arg("dual"));
+  star.def("weak_laplacian", &weak_laplacian, arg("k"));
+  complex.def("mixed_laplacian", &mixed_laplacian, arg("k"), arg("material").none());
+  complex.def("whitney_mass", &mass, arg("k"), arg("material").none());
 }
 
 }  // namespace derham::python

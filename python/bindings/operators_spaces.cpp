@@ -25,8 +25,8 @@ namespace {
 /// By degree the free simplices and the prescribed ones; without facets the whole boundary is prescribed.
 auto form_space(const AnyComplex& any, const std::optional<Indices>& facets) {
   return any.visit<1, max_metric_dimension>([&]<int n>(const Body<n>& body) {
-    const FormSpace<n> space =
-        facets ? FormSpace<n>(*body.complex, span_of(*facets)) : FormSpace<n>::relative(*body.complex);
+    const FormSpace<n> space = without_gil(
+        [&] { return facets ? FormSpace<n>(*body.complex, span_of(*facets)) : FormSpace<n>::relative(*body.complex); });
     std::vector<std::pair<Array<Index>, Array<Index>>> result;
     for (int k = 0; k <= n; ++k) {
       const auto free = space.free(k), prescribed = space.prescribed(k);
@@ -37,33 +37,43 @@ auto form_space(const AnyComplex& any, const std::optional<Indices>& facets) {
   });
 }
 
-/// The terms of the chain of part number `part` of the mesh: simplices and coefficients.
-auto tagged(const AnyComplex& any, std::size_t part, bool make_coherent) {
-  return any.with_complex<1, max_metric_dimension>([&]<int n>(const SimplicialComplex<n>& K) {
-    const MeshData mesh = any.mesh();
-    const MeshPart& tag = mesh.parts.at(part);
-    return with_constant<0, n>(tag.degree, "the degree of the part", [&](auto degree) {
-      constexpr int k = degree();
-      Chain<n, k> chain = tagged_chain<k>(K, mesh, tag);
-      if constexpr (k >= 1)
-        if (make_coherent) chain = coherent(chain);
-      std::vector<Index> simplices;
-      std::vector<std::int64_t> coefficients;
-      for (const auto& [simplex, coefficient] : chain.terms()) {
-        simplices.push_back(simplex);
-        coefficients.push_back(coefficient);
-      }
-      return std::pair(owned(std::move(simplices)), owned(std::move(coefficients)));
-    });
-  });
+/// The chain of a part. Rows of a pure complex are its top simplices, positive ones, and kept by K alone.
+template <int k, int n>
+Chain<n, k> chain_of(const SimplicialComplex<n>& K, const MeshData& rest, const MeshPart& part) {
+  if (k < n || !K.is_pure()) return tagged_chain<k>(K, rest, part);
+  std::vector<typename Chain<n, k>::Term> terms;
+  for (const Index row : part.members) terms.push_back({row, 1});
+  return Chain<n, k>(K, std::move(terms));
 }
 
-/// The facets that part number `part` of the mesh tags.
-auto facets_of(const AnyComplex& any, std::size_t part) {
-  return any.with_complex<1, max_metric_dimension>([&](const auto& K) {
-    const MeshData mesh = any.mesh();
-    return owned(tagged_facets(K, mesh, mesh.parts.at(part)));
+/// The terms of the chain of part number `number` of the mesh: simplices and coefficients.
+auto tagged(const AnyComplex& any, std::size_t number, bool make_coherent) {
+  const MeshPart& part = any.rest().parts.at(number);
+  std::vector<Index> simplices;
+  std::vector<std::int64_t> coefficients;
+  without_gil([&] {
+    any.with_complex<1, max_metric_dimension>([&]<int n>(const SimplicialComplex<n>& K) {
+      with_constant<0, n>(part.degree, "the degree of the part", [&](auto degree) {
+        constexpr int k = degree();
+        Chain<n, k> chain = chain_of<k>(K, any.rest(), part);
+        if constexpr (k >= 1)
+          if (make_coherent) chain = coherent(chain);
+        for (const auto& [simplex, coefficient] : chain.terms()) {
+          simplices.push_back(simplex);
+          coefficients.push_back(coefficient);
+        }
+      });
+    });
   });
+  return std::pair(owned(std::move(simplices)), owned(std::move(coefficients)));
+}
+
+/// The facets that part number `number` of the mesh tags.
+auto facets_of(const AnyComplex& any, std::size_t number) {
+  return owned(without_gil([&] {
+    return any.with_complex<1, max_metric_dimension>(
+        [&](const auto& K) { return tagged_facets(K, any.rest(), any.rest().parts.at(number)); });
+  }));
 }
 
 template <int n>
@@ -89,18 +99,8 @@ class AnyRefinement {
   /// The fine complex: that of the refinement itself, with the metric and the parts of the refined mesh.
   [[nodiscard]] AnyComplex fine() const {
     return visit([this]<int n>(const std::shared_ptr<const RefinementOf<n>>& of) {
-      MeshData mesh = refined_mesh(coarse_mesh_, of->refinement);
-      Body<n> body{std::shared_ptr<const SimplicialComplex<n>>(of, &of->refinement.fine()), {}};
-      if (mesh.has_points() || mesh.has_corners())
-        body.geometry = std::make_shared<const Geometry<n>>(Geometry<n>::from_mesh(*body.complex, mesh));
-      else if (!mesh.edge_lengths_squared.empty())
-        body.geometry = std::make_shared<const Geometry<n>>(
-            Geometry<n>::from_squared_lengths(*body.complex, mesh.edge_lengths_squared));
-      mesh.simplices = SimplexList();
-      mesh.points = mesh.corners = {};
-      AnyComplex fine(std::move(body));
-      fine.rest() = std::move(mesh);
-      return fine;
+      std::shared_ptr<const SimplicialComplex<n>> complex(of, &of->refinement.fine());
+      return AnyComplex(Body<n>{std::move(complex), {}}, refined_mesh(coarse_mesh_, of->refinement));
     });
   }
 
@@ -140,8 +140,8 @@ void bind_operator_spaces(nb::module_& module, ComplexClass& complex) {
   complex.def("tagged_chain", &tagged, arg("part"), arg("coherent"));
   complex.def("tagged_facets", &facets_of, arg("part"));
   nb::class_<AnyRefinement>(module, "Refinement")
-      .def(nb::init<const AnyComplex&>(), arg("complex"), nb::call_guard<nb::gil_scoped_release>())
-      .def("fine", &AnyRefinement::fine, nb::call_guard<nb::gil_scoped_release>())
+      .def(nb::init<const AnyComplex&>(), arg("complex"), nb::call_guard<Unlocked>())
+      .def("fine", &AnyRefinement::fine, nb::call_guard<Unlocked>())
       .def("prolongation", &AnyRefinement::prolongation, arg("k"))
       .def("restriction", &AnyRefinement::restriction, arg("k"));
 }

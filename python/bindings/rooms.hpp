@@ -23,12 +23,14 @@ void bind_geometry_data(ComplexClass& complex);
 void bind_geometry_state(ComplexClass& complex);
 void bind_dual(ComplexClass& complex);
 void bind_hodge(StarClass& star);
-void bind_operators(ComplexClass& complex, StarClass& star, BoundaryClass& boundary);
+void bind_operators(ComplexClass& complex, StarClass& star);
+void bind_operator_boundary(BoundaryClass& boundary);
 void bind_operator_contractions(ComplexClass& complex, StarClass& star);
 void bind_operator_fields(nanobind::module_& module, ComplexClass& complex);
-void bind_operator_matrices(StarClass& star);
+void bind_operator_matrices(ComplexClass& complex, StarClass& star);
 void bind_operator_spaces(nanobind::module_& module, ComplexClass& complex);
 void bind_meshes(nanobind::module_& module);
 void bind_io(nanobind::module_& module, ComplexClass& complex);
+void bind_io_series(nanobind::module_& module);
 
 }  // namespace derham::python

@@ -130,18 +130,18 @@ class Base:
             raise InputError("out shares memory with the argument, which is read while out is written")
         return out
 
-    def _sets(self, simplices: Mapping[int, npt.ArrayLike]) -> list[list[int]]:
+    def _sets(self, simplices: Mapping[int, npt.ArrayLike]) -> list[Integers]:
         """A set of simplices by degree as the compiled half takes it."""
         if not isinstance(simplices, Mapping):
             raise InputError(f"the set of simplices is {shown(simplices)}; expected a mapping from degrees to indices")
-        lists: list[list[int]] = [[] for _ in self._sizes]
+        lists = [np.zeros(0, index_dtype) for _ in self._sizes]
         for k, indices in simplices.items():
             k = self._degree(k)
             array = np.unique(index_list(indices, f"the set of {k}-simplices"))
             if array.size and (array[0] < 0 or array[-1] >= self._sizes[k]):
                 wrong = array[0] if array[0] < 0 else array[-1]
                 raise InputError(f"there is no {k}-simplex {wrong}; expected 0 to {self._sizes[k] - 1}")
-            lists[k] = array.tolist()
+            lists[k] = array
         return lists
 
     @staticmethod

@@ -225,9 +225,7 @@ class Operators(Contraction):
         x = float_array(points, "points")
         if x.ndim != 2 or x.shape[1] != self.ambient_dimension:
             raise InputError(f"points have shape {x.shape}; expected (count, {self.ambient_dimension})")
-        if self.ambient_dimension == self.dimension:
-            return locator.locate(x)
-        simplex, barycentric, _ = locator.nearest(x)
+        simplex, barycentric, _ = locator.locate(x, self.ambient_dimension > self.dimension)
         return simplex, barycentric
 
     def interpolate(self, w: npt.ArrayLike, k: int, points: npt.ArrayLike | None = None) -> Floats:

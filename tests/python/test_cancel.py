@@ -6,7 +6,7 @@ import os
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 import numpy as np
@@ -70,43 +70,6 @@ def test_other_threads_are_not_interrupted() -> None:
         time.sleep(5)
     worker.join()
     assert sizes[0][3] == 6 * 60**3
-
-
-def pauses_of_another_thread(work: Callable[[], object]) -> tuple[float, float]:
-    """The longest pause of a thread that only sleeps, and how long the work takes."""
-    ticks, done = [time.perf_counter()], threading.Event()
-
-    def tick() -> None:
-        while not done.is_set():
-            time.sleep(0.001)
-            ticks.append(time.perf_counter())
-
-    worker = threading.Thread(target=tick)
-    worker.start()
-    start = time.perf_counter()
-    work()
-    seconds = time.perf_counter() - start
-    done.set()
-    worker.join()
-    return max(b - a for a, b in zip(ticks, ticks[1:])), seconds
-
-
-@pytest.mark.parametrize("name", ["locate", "prolongation", "dual_cells", "link"])
-def test_other_threads_run_meanwhile(name: str) -> None:
-    """Without the lock of the interpreter being given up, the pause would be the work."""
-
-    def ratio(K: derham.Complex) -> float:
-        works: dict[str, Callable[[], object]] = {
-            "locate": lambda: K.locate(K.points[:1]),
-            "prolongation": lambda: R.prolongation(1),
-            "dual_cells": lambda: K.dual_cells(0, range(0, K.size(0), 20)),
-            "link": lambda: K.link({0: [0]}),
-        }
-        R = K.refined() if name == "prolongation" else None
-        pause, seconds = pauses_of_another_thread(works[name])
-        return pause / seconds
-
-    assert min(ratio(derham.generate.box(3, 24)) for _ in range(5)) < 0.6
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
