@@ -17,6 +17,7 @@ from .errors import Error, FileError, GeometryError, InputError, LimitError, Top
 from .exchange import to_pyvista
 from .maps import SimplicialMap
 from .point_clouds import rips
+from .series import write_series
 from .threads import set_thread_count, thread_count
 
 __all__ = [
@@ -38,4 +39,5 @@ __all__ = [
     "thread_count",
     "to_meshio",
     "to_pyvista",
+    "write_series",
 ]

@@ -103,7 +103,9 @@ def signed_dtype(dtype: npt.DTypeLike) -> np.dtype[Any]:
     except (TypeError, ValueError):
         raise InputError(f"dtype is {shown(dtype)}; expected a type of numbers") from None
     if found.kind not in "ifc" or found == np.float16:
-        raise InputError(f"dtype is {found}; the entries 1 and -1 need signed integers, complex numbers or floats, not of 16 bits")
+        raise InputError(
+            f"dtype is {found}; the entries 1 and -1 need signed integers, complex numbers or floats, not of 16 bits"
+        )
     return found
 
 

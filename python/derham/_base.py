@@ -72,7 +72,7 @@ class Base:
         return self._sizes
 
     def size(self, k: int) -> int:
-        """|K_k|; 0 outside of 0 <= k <= n."""
+        """|K_k|; 0 outside of 0 <= k <= n. Raises InputError unless k is a whole number."""
         if not isinstance(k, (int, np.integer)):
             raise InputError(f"the degree k is {shown(k)}; expected a whole number")
         return self._sizes[k] if 0 <= k < len(self._sizes) else 0

@@ -55,7 +55,11 @@ class Boundary(Base):
         return self._boundary()[0].trace(k, self._one_form(w, k))
 
     def trace_matrix(self, k: int) -> sparse.csr_array:
-        """The matrix of `trace`. Shape |∂K_k| × |K_k|; n = 1 to 4."""
+        """The matrix of `trace`.
+
+        Shape    |∂K_k| × |K_k|
+        Raises   InputError unless 0 <= k < n and n <= 4; as `boundary_complex`
+        """
         k = self._degree(k, 0, self.dimension - 1)
         core, complex, _ = self._boundary()
         return compressed(sparse.csr_array, core.trace_matrix(k), (complex.size(k), self._sizes[k]))
@@ -91,7 +95,7 @@ class Boundary(Base):
         `boundary_load`, made with the number h as material.
 
         Shape    |K_k| × |K_k|
-        Raises   as `boundary_load`
+        Raises   as `boundary_load`; InputError for n > 4
         """
         k = self._degree(k, 0, self.dimension - 1)
         S = self._inner_product(S, k)

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from ._arguments import Floats, float_array, one_of, shown, whole_number
 from ._base import Side
-from ._metric import Metric, StarKind
+from ._metric import DiagonalStarKind, Metric, with_inverse
 from ._topology import Topology
 from .errors import GeometryError, InputError
 
@@ -34,14 +34,15 @@ class Contraction(Topology, Metric):
         side: Side = "primal",
         trace: Literal["mean", "upwind"] = "mean",
         order: int = 1,
-        star: StarKind = "circumcentric",
+        star: DiagonalStarKind = "circumcentric",
     ) -> Floats:
         """The interior product i_X w of a k-form.
 
         kind     "whitney": of primal forms with a smooth vector field, by quadrature of Whitney forms, exact up to `order`.
                  "algebraic": (-1)^(k(n-k)) ⋆(⋆w ∧ X♭) with a diagonal `star`, of dual forms, of primal n-forms, and of
                  primal 1-forms in the plane
-        X        a vector (m,), or a function of points (count, m); "algebraic": X♭, the values of a 1-form of the other side
+        X        a vector (m,), or a function of points (count, m) with values of this shape, or (m,) where it is constant;
+                 "algebraic": X♭, the values of a 1-form of the other side
         trace    of the values on both sides of a face "mean", or that of the side where X comes from, "upwind", which
                  stable explicit transport needs; of "whitney" only
         Shape    those of a k-form and a (k-1)-form
@@ -58,7 +59,8 @@ class Contraction(Topology, Metric):
             form = self._one_form(w, k, side)
             flat: Any = X
             X_flat = self._one_form(flat, 1, "primal" if dual else "dual", "X")
-            return self._star(star, None, None).contract(k, dual, X_flat, form)
+            contract = self._star(star, None, None, "take kind='whitney'").contract
+            return with_inverse(contract, k, dual, X_flat, form)
         one_of(side, ("primal", "dual"), "the side")
         if side != "primal":
             raise InputError(f"the side is {shown(side)}; the contraction by Whitney forms is on the primal side only")
@@ -77,11 +79,14 @@ class Contraction(Topology, Metric):
         side: Side = "primal",
         trace: Literal["mean", "upwind"] = "mean",
         order: int = 1,
-        star: StarKind = "circumcentric",
+        star: DiagonalStarKind = "circumcentric",
     ) -> Floats:
         """The Lie derivative L_X w = d i_X w + i_X dw of a k-form; arguments as those of `interior`.
 
+        Shape    that of w
         Laws     d L_X = L_X d; the integral of L_X w over a closed M is zero for n-forms
+        Raises   as `interior`, but for 0 <= k <= n
+        Source   Hirani 2003, §8.5; Mullen et al., "Discrete Lie advection of differential forms", 2011
         """
         k = self._degree(k)
         self._side(side)
@@ -103,6 +108,7 @@ class Contraction(Topology, Metric):
         Below it no value of a density (k = n) becomes negative and functions keep the range of their neighbours; for the
         degrees between it is a guide.
 
+        Shape    X as for `interior`
         Units    time: length over that of X
         Raises   as `interior`
 
@@ -126,8 +132,13 @@ class Contraction(Topology, Metric):
 
         def at(points: Floats) -> Floats:
             values = float_array(function(points), "the values of X")
-            if values.shape == points.shape or m == 1 and values.shape == points.shape[:1]:
+            if m == 1 and values.shape == points.shape[:1]:
                 return values.reshape(points.shape)
-            raise InputError(f"X has values of shape {values.shape} at {len(points)} points; expected {points.shape}")
+            if values.shape not in (points.shape, (m,)):
+                raise InputError(
+                    f"X has values of shape {values.shape} at {len(points)} points; expected {points.shape}, or ({m},) if "
+                    "constant"
+                )
+            return np.ascontiguousarray(np.broadcast_to(values, points.shape))
 
         return at

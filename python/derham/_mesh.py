@@ -31,6 +31,7 @@ class Mesh(Data):
         """Forms with boundary conditions: what is prescribed is on the closure of some facets.
 
         prescribed  "boundary" for all of it (relative forms), None for nothing (absolute), or the indices of facets
+        Raises      InputError for what is none of these, or unless n is 1 to 4
         """
         facets: Integers | None = None
         if not isinstance(prescribed, str):

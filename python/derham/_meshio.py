@@ -30,8 +30,8 @@ class _Tagged(NamedTuple):
 
 
 def from_meshio(mesh: Any, *, planar: bool = False) -> Complex:
-    """The complex of the simplices of highest dimension of a `meshio.Mesh`. Cells of lower dimension count where tags or sets name
-    them; vertices that no simplex uses are left out, `vertex_tags` has the old numbers of the others.
+    """The complex of the simplices of highest dimension of a `meshio.Mesh`. Cells of lower dimension count where tags or sets
+    name them; vertices that no simplex uses are left out, `vertex_tags` has the old numbers of the others.
 
     Integers in the data gmsh:physical, medit:ref or cell_tags, `cell_sets` and `point_sets` become parts, with the names
     in `field_data`; other data become fields. What finds no place is in `notes`.

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -12,15 +13,31 @@ import scipy.sparse as sparse
 from . import _derham
 from ._arguments import Floats, Integers, float_array, index_list, one_of, real_number, shown
 from ._base import Base, compressed, diagonal_matrix
-from .errors import InputError
+from .errors import GeometryError, InputError
 from .reports import DualReport, DualVerdict, HotWeights, QualityReport, StarReport
 
-#: Kinds of Hodge stars; all but "whitney" are diagonal.
-StarKind: TypeAlias = Literal["circumcentric", "power", "barycentric", "lumped", "whitney"]
+#: Kinds of Hodge stars: diagonal ones, whose inverse is sparse, and all.
+DiagonalStarKind: TypeAlias = Literal["circumcentric", "power", "barycentric", "lumped"]
+StarKind: TypeAlias = Literal[DiagonalStarKind, "whitney"]
 STAR_KINDS: tuple[str, ...] = ("circumcentric", "power", "barycentric", "lumped", "whitney")
 
 #: Numbers (|K_n|,) or one; symmetric tensors (|K_n|, m, m) or one (m, m); or such rows with the row of every top simplex.
 Material: TypeAlias = "npt.ArrayLike | tuple[npt.ArrayLike, npt.ArrayLike]"
+
+
+T = TypeVar("T")
+
+
+def with_inverse(work: Callable[..., T], *arguments: Any) -> T:
+    """work(*arguments), which takes the inverse of a diagonal star. Where that has zeros, the error says what else there is."""
+    try:
+        return work(*arguments)
+    except GeometryError as error:
+        raise GeometryError(
+            f"{str(error).partition('; use ')[0]}; use kind='power' with weights=K.hot_weights().weights, kind='barycentric' "
+            "(accurate for k = 0 and n only), a mesh with positive dual volumes, or for Laplacians mixed_laplacian, which is "
+            "valid on every mesh"
+        ) from None
 
 
 @dataclass(frozen=True)
@@ -47,7 +64,10 @@ class Metric(Base):
 
     @property
     def points(self) -> Floats | Any:
-        """The positions of the vertices, or None if there are none. Shape (|V|, m), read-only, no copy."""
+        """The positions of the vertices, or None if there are none. Shape (|V|, m), units length, read-only, no copy.
+
+        Type checkers take them for an array, so that programs need not ask for None.
+        """
         points: Any = self._core.points()
         return None if points is None else np.asarray(points)
 
@@ -55,15 +75,26 @@ class Metric(Base):
         """The positions of the corners of every top simplex in the order of its sorted vertices, in its own chart.
 
         Shape    (|K_n|, n+1, m); with edge lengths only, (|K_n|, n+1, n) in a frame of its own
+        Units    length
+        Raises   GeometryError without a metric
         """
         return self._core.corners()
 
     def edge_lengths_squared(self) -> Floats:
-        """Squared edge lengths. Shape (|E|,), units length^2."""
+        """Squared edge lengths.
+
+        Shape    (|E|,), units length^2
+        Raises   GeometryError without a metric; InputError for n = 0
+        """
         return self._core.edge_lengths_squared()
 
     def volumes(self, k: int) -> Floats:
-        """The volumes of the k-simplices: 1, lengths, areas, …. Shape (|K_k|,), units length^k."""
+        """The volumes of the k-simplices: 1, lengths, areas, …, never negative.
+
+        Shape    (|K_k|,), units length^k
+        Cost     for 0 < k < n that of all degrees; nothing is kept
+        Raises   InputError unless 0 <= k <= n; GeometryError without a metric
+        """
         return self._core.volumes(self._degree(k))
 
     def dual_volumes(self, k: int) -> Floats:
@@ -71,23 +102,31 @@ class Metric(Base):
 
         Shape    (|K_k|,), units length^(n-k)
         Law      (volumes(k) * dual_volumes(k)).sum() is C(n, k) times the volume, on every mesh
-        Raises   GeometryError naming flat top simplices
+        Cost     that of all degrees; nothing is kept
+        Raises   InputError unless 0 <= k <= n; GeometryError without a metric, or naming flat top simplices
         Source   Elcott & Schröder, §6.2.1, with 1/(n-k) and signs
         """
         return self._core.dual_volumes(self._degree(k))
 
     def quality(self) -> QualityReport:
-        """Which top simplices are flat or inverted, and how large they are."""
+        """Which top simplices are flat or inverted, and how large they are.
+
+        Raises   GeometryError without a metric
+        """
         return QualityReport(*self._core.quality())
 
     def dual_report(self) -> DualReport:
-        """What the circumcentric dual is like: Delaunay, one-sided, well-centred; zeros and negative entries by degree."""
+        """What the circumcentric dual is like: Delaunay, one-sided, well-centred; zeros and negative entries by degree.
+
+        Raises   GeometryError without a metric
+        """
         stars, delaunay, one_sided, well_centered, degenerate = self._core.dual_report()
         return DualReport(tuple(DualVerdict(*star) for star in stars), delaunay, one_sided, well_centered, degenerate)
 
     def dual_cells(self, k: int, simplices: npt.ArrayLike) -> list[DualCell]:
         """The circumcentric dual cells of some k-simplices as points, paths and loops, for pictures.
 
+        Shape    simplices (count,), indices in `simplices(k)`
         Raises   InputError unless n-k <= 3 and simplices are in [0, |K_k|); GeometryError naming a flat simplex
         """
         cells = self._core.dual_cells(self._degree(k), index_list(simplices, "simplices"))
@@ -105,7 +144,8 @@ class Metric(Base):
 
         kind     "circumcentric" (diagonal, signed: see `star_verdict`), "power" (with `weights` (|V|,), length^2),
                  "barycentric" and "lumped" (good for k = 0 and n only), "whitney" (the mass matrix: positive on every mesh)
-        Shape    |K_k| × |K_k|: diagonal, for "whitney" by rows; of the diagonal no copy is made
+        Shape    |K_k| × |K_k|: diagonal, of its numbers no copy is made (`.diagonal()` for numbers, `.tocsr()` to slice); for
+                 "whitney" by rows
         Units    length^(n-2k), times the material's
         Raises   InputError for a wrong degree, kind, weights or material; TopologyError if K is not orientable
                  (but for "whitney"); GeometryError without a metric, or naming flat top simplices
@@ -125,18 +165,20 @@ class Metric(Base):
     def star_inverse(
         self,
         k: int,
-        kind: StarKind = "circumcentric",
+        kind: DiagonalStarKind = "circumcentric",
         *,
         weights: npt.ArrayLike | None = None,
         material: Material | None = None,
     ) -> sparse.dia_array:
         """The inverse of a diagonal ⋆_k, without the sign of the star back, which is (-1)^(k(n-k)) times it.
 
+        Shape    |K_k| × |K_k|, units length^(2k-n)
         Raises   as `star`; GeometryError naming simplices whose dual volume is zero; InputError for "whitney", whose
                  inverse is not sparse: factorise it
         """
         k = self._degree(k)
-        return diagonal_matrix(self._star(kind, weights, material).inverse_diagonal(k))
+        star = self._star(kind, weights, material, "factorise star(k, 'whitney')")
+        return diagonal_matrix(with_inverse(star.inverse_diagonal, k))
 
     def star_verdict(
         self,
@@ -148,6 +190,8 @@ class Metric(Base):
     ) -> StarReport:
         """What `star` of these arguments is good for here: positive or not, where it is zero or negative, its condition,
         its error on constant forms, and what to use instead.
+
+        Raises   as `star`; InputError for n = 0
 
         >>> import derham
         >>> verdict = derham.generate.box(2, 2).star_verdict(1)
@@ -165,7 +209,8 @@ class Metric(Base):
 
         margin   the least dual length of a facet, as a part of that of barycentres
         Use      star(k, "power", weights=K.hot_weights().weights)
-        Raises   InputError unless 0 < margin < 1; GeometryError naming flat top simplices
+        Units    of the weights: length^2
+        Raises   InputError unless 0 < margin < 1 and n >= 1; GeometryError without a metric, or naming flat top simplices
         Source   Mullen, Memari, de Goes, Desbrun, "HOT: Hodge-optimized triangulations", 2011
 
         >>> import derham
@@ -178,9 +223,15 @@ class Metric(Base):
         )
         return HotWeights(weights, energy_before, energy, tuple(before), tuple(after), excluded, advice)
 
-    def _star(self, kind: str, weights: npt.ArrayLike | None, material: Material | None) -> _derham.Star:
+    def _star(
+        self, kind: str, weights: npt.ArrayLike | None, material: Material | None, instead: str = "take mixed_laplacian(k)"
+    ) -> _derham.Star:
+        """A diagonal star, kept if it has neither weights nor a material. `instead`: what to do who asks for "whitney"."""
         if not isinstance(kind, str) or kind not in STAR_KINDS[:-1]:
-            raise InputError(f"the kind of star is {shown(kind)}; expected a diagonal one of {', '.join(STAR_KINDS[:-1])}")
+            sparse = f", whose inverse is not sparse: {instead}" if isinstance(kind, str) and kind == "whitney" else ""
+            raise InputError(
+                f"the kind of star is {shown(kind)}{sparse}; expected a diagonal one of {', '.join(STAR_KINDS[:-1])}"
+            )
         if weights is not None and kind != "power":
             raise InputError(f"weights are given for the {kind} star; only kind='power' has weights")
         if weights is not None:

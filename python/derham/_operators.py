@@ -11,12 +11,20 @@ import numpy.typing as npt
 import scipy.sparse as sparse
 
 from . import _derham
-from ._arguments import Floats, Integers, flag, float_array, one_of, shown, whole_number
+from ._arguments import Floats, Integers, flag, float_array, index_dtype, one_of, shown, whole_number
 from ._base import Side, compressed
 from ._contraction import MAX_ORDER, Contraction, Field
-from ._metric import Material, StarKind
+from ._metric import DiagonalStarKind, Material, with_inverse
 from .errors import InputError
 from .spaces import FormSpace
+
+
+class Located(NamedTuple):
+    """Where points are: the top simplex, or -1; barycentric coordinates there; the distance from that place, NaN for -1."""
+
+    simplex: Integers | Any
+    barycentric: Floats
+    distance: Floats | Any
 
 
 class MixedLaplacian(NamedTuple):
@@ -78,7 +86,7 @@ class Operators(Contraction):
     def codifferential(
         self,
         k: int,
-        kind: StarKind = "circumcentric",
+        kind: DiagonalStarKind = "circumcentric",
         *,
         side: Side = "primal",
         weights: npt.ArrayLike | None = None,
@@ -94,14 +102,14 @@ class Operators(Contraction):
         """
         k = self._degree(k, 1)
         dual = self._side(side)
-        arrays = self._star(kind, weights, material).codifferential(k, dual)
+        arrays = with_inverse(self._star(kind, weights, material).codifferential, k, dual)
         shape = (self._count(k - 1, dual), self._count(k, dual))
         return compressed(sparse.csr_array, arrays, shape)
 
     def laplacian(
         self,
         k: int,
-        kind: StarKind = "circumcentric",
+        kind: DiagonalStarKind = "circumcentric",
         *,
         side: Side = "primal",
         weights: npt.ArrayLike | None = None,
@@ -114,7 +122,7 @@ class Operators(Contraction):
         Matrix   self-adjoint for ⋆; where all dual volumes are positive, positive semi-definite with a kernel of
                  dimension β_k on primal forms
         Boundary natural
-        Raises   InputError unless 0 <= k <= n; otherwise as `star_inverse`
+        Raises   InputError unless 0 <= k <= n and n >= 1; otherwise as `star_inverse`
         Source   Elcott & Schröder, "Building your own DEC at home", §7
 
         >>> import derham
@@ -124,13 +132,13 @@ class Operators(Contraction):
         """
         k = self._degree(k)
         dual = self._side(side)
-        arrays = self._star(kind, weights, material).laplacian(k, dual)
+        arrays = with_inverse(self._star(kind, weights, material).laplacian, k, dual)
         return compressed(sparse.csr_array, arrays, (self._count(k, dual),) * 2)
 
     def weak_laplacian(
         self,
         k: int,
-        kind: StarKind = "circumcentric",
+        kind: DiagonalStarKind = "circumcentric",
         *,
         weights: npt.ArrayLike | None = None,
         material: Material | None = None,
@@ -139,10 +147,10 @@ class Operators(Contraction):
 
         Shape    |K_k| × |K_k|, units length^(n-2k-2)
         Matrix   symmetric; positive semi-definite with a kernel of dimension β_k where the stars are positive
-        Raises   as `star_inverse(k - 1)`
+        Raises   InputError unless 0 <= k <= n and n >= 1; otherwise as `star_inverse(k - 1)`
         """
         k = self._degree(k)
-        arrays = self._star(kind, weights, material).weak_laplacian(k)
+        arrays = with_inverse(self._star(kind, weights, material).weak_laplacian, k)
         return compressed(sparse.csr_array, arrays, (self._sizes[k],) * 2)
 
     def mixed_laplacian(
@@ -151,7 +159,9 @@ class Operators(Contraction):
         """Laplace–de Rham of k-forms u with Whitney masses and σ = δu as an unknown of its own: valid on every mesh.
 
         space    where u and σ are prescribed to be 0; rows and columns are then those of free simplices
-        Raises   InputError unless 0 <= k <= n; GeometryError naming flat top simplices
+        Shape    matrix and mass: σ and u, |K_{k-1}| + |K_k|, or how many of them are free
+        Raises   InputError unless 0 <= k <= n and n >= 1, or for a form space of another complex; GeometryError without a
+                 metric, or naming flat top simplices
         Source   Arnold, Falk, Winther, "Finite element exterior calculus", 2006, §7
         """
         k = self._degree(k)
@@ -179,13 +189,13 @@ class Operators(Contraction):
 
         f        a function of points (count, m): its values (count,) for k = 0 and for densities (k = n, times the volume
                  form of K's own orientation where n < m), its components (count, C(m, k)) otherwise, those of
-                 dx^i ∧ … ∧ dx^j with i < … < j in lexicographic order, for k = 1 so a vector field; or these numbers
-                 themselves where they are constant
+                 dx^i ∧ … ∧ dx^j with i < … < j in lexicographic order, for k = 1 so a vector field; where they are
+                 constant it may return one number, or C(m, k); or these numbers themselves
         flux     f is a vector field (count, m), taken as the (n-1)-form of its flux; k = n-1 and m = n
         Shape    (|K_k|,)
         Cost     one call of f with (order//2 + 1)^k points for every k-simplex
-        Raises   InputError for a wrong degree, order, or number of components; GeometryError without positions;
-                 TopologyError for a density where n < m and K is not orientable
+        Raises   InputError for a wrong degree, order, or number of components; GeometryError without positions; TopologyError
+                 for a density if K is not orientable and n < m
         Source   Whitney, "Geometric integration theory", 1957, §IV.27
 
         >>> import derham
@@ -203,57 +213,77 @@ class Operators(Contraction):
             )
         points = nodes.reshape(-1, m)
         given = f(points) if callable(f) else f
-        if 0 < k == self.dimension < m and np.shape(given) == ((len(points),) if callable(f) else ()):
+        if 0 < k == self.dimension < m and np.shape(given) in ((), (len(points),) if callable(f) else ()):
             density = np.broadcast_to(float_array(given, "the values of the density"), len(points))
             return self._core.integrate_density(order, np.ascontiguousarray(density))
-        values = _values(f, given, len(points), m if flux else width)
+        values = _values(given, len(points), m if flux else width)
         if flux:  # i_X of the volume form: without dx^j the component (-1)^j X_j
             values = (values * (-1.0) ** np.arange(m))[:, ::-1]
         return self._core.integrate(k, order, np.ascontiguousarray(values))
 
-    def locate(self, points: npt.ArrayLike) -> tuple[Integers, Floats]:
-        """The top simplices that points are in, and their barycentric coordinates there; -1 outside.
+    def locate(self, points: npt.ArrayLike, *, nearest: bool = False) -> Located:
+        """The top simplices that points are in, their barycentric coordinates there, and their distance from there.
 
-        On surfaces in space and other complexes of lower dimension than space, those of the nearest points.
+        nearest  points outside are taken for the nearest ones of the complex; else they are in simplex -1, at distance NaN.
+                 On surfaces in space and other complexes of lower dimension than space that is always so
+        Shape    points (count, m): (count,), (count, n+1) and (count,). One point (m,): a number, (n+1,) and a number
+        Units    of the distance: length
+        Cost     N log N for N top simplices when it is first asked, kept; then about log N a point
+        Raises   InputError on a wrong shape, or for n = 0; GeometryError without positions
 
-        Shape    points (count, m); (count,) and (count, n+1)
-        Raises   InputError on a wrong shape; GeometryError without positions
+        >>> import derham
+        >>> simplex, barycentric, distance = derham.generate.box(1, 2).locate([3.0], nearest=True)
+        >>> simplex, barycentric.tolist(), distance
+        (1, [0.0, 1.0], 2.0)
         """
         locator: _derham.Locator | None = self._kept.get("locator")
         if locator is None:
             locator = self._kept["locator"] = _derham.Locator(self._core)
+        m = self.ambient_dimension
         x = float_array(points, "points")
-        if x.ndim != 2 or x.shape[1] != self.ambient_dimension:
-            raise InputError(f"points have shape {x.shape}; expected (count, {self.ambient_dimension})")
-        simplex, barycentric, _ = locator.locate(x, self.ambient_dimension > self.dimension)
-        return simplex, barycentric
+        if x.ndim not in (1, 2) or x.shape[-1] != m:
+            raise InputError(f"points have shape {x.shape}; expected (count, {m}), or ({m},) for one")
+        simplex, barycentric, distance = locator.locate(x.reshape(-1, m), flag(nearest, "nearest") or m > self.dimension)
+        if x.ndim == 1:
+            return Located(int(simplex[0]), barycentric[0], float(distance[0]))
+        return Located(simplex, barycentric, distance)
 
-    def interpolate(self, w: npt.ArrayLike, k: int, points: npt.ArrayLike | None = None) -> Floats:
+    def interpolate(self, w: npt.ArrayLike, k: int, points: npt.ArrayLike | None = None) -> Floats | Any:
         """The Whitney map: the components at points of the piecewise linear k-form with these integrals.
 
-        points   (count, m), see `locate`; by default the barycentres of the top simplices
-        Shape    (count,) for one component, else (count, C(m, k)) as `integrate` takes them; NaN outside
+        points   (count, m), or (m,) for one, see `locate`; by default the barycentres of the top simplices
+        Shape    (count,) for one component, else (count, C(m, k)) as `integrate` takes them; for one point a number, or
+                 (C(m, k),); NaN outside
         Units    those of the integrals over length^k
-        Raises   InputError on a wrong shape; GeometryError naming flat top simplices
+        Raises   InputError on a wrong shape; GeometryError without a metric, or naming flat top simplices
         Source   Whitney 1957, §IV.27
+
+        >>> import derham
+        >>> K = derham.generate.box(2, 3)
+        >>> float(round(K.interpolate(K.points[:, 0], 0, [0.3, 0.7]), 12))
+        0.3
         """
         k = self._degree(k)
         form = self._one_form(w, k, name="w")
         if points is None:
             count = self._sizes[-1]
-            simplex: Integers = np.arange(count, dtype=self.simplices(0).dtype)
+            simplex: Integers = np.arange(count, dtype=index_dtype)
             barycentric = np.full((count, self.dimension + 1), 1 / (self.dimension + 1))
         else:
-            simplex, barycentric = self.locate(points)
-        values = self._core.interpolate(k, form, simplex, barycentric)
-        return values[:, 0] if values.shape[1] == 1 else values
+            simplex, barycentric, _ = self.locate(points)
+        one = np.ndim(simplex) == 0
+        values: Any = self._core.interpolate(k, form, np.atleast_1d(np.asarray(simplex, index_dtype)), barycentric)
+        values = values[:, 0] if values.shape[1] == 1 else values
+        return values[0] if one else values
 
     def sharp(self, w: npt.ArrayLike, kind: Literal["whitney", "pd", "pp"] = "whitney") -> Floats:
         """The vectors of a primal 1-form.
 
         kind     "whitney": at the barycentre of every top simplex; "pd": at its circumcentre; "pp": at every vertex
         Shape    (|K_n|, m), for "pp" (|V|, m)
+        Units    those of w over length
         Exact    for constant forms
+        Raises   InputError on a wrong kind or shape, or for n = 0; GeometryError without a metric, or naming flat top simplices
         Source   Hirani 2003, §5.8 (pp)
         """
         one_of(kind, ("whitney", "pd", "pp"), "the kind of sharp")
@@ -262,8 +292,12 @@ class Operators(Contraction):
     def flat(self, X: npt.ArrayLike, kind: Literal["ppp", "dpp", "dpd"] = "ppp") -> Floats:
         """The 1-form of vectors.
 
-        kind     "ppp": of vectors (|V|, m) at the vertices; "dpp": of vectors (|K_n|, m) in the top simplices; both make
-                 primal forms (|E|,). "dpd": of the latter, a dual form (|K_{n-1}|,)
+        kind     "ppp": of vectors at the vertices; "dpp": of vectors in the top simplices; both make primal forms. "dpd": of
+                 the latter, a dual form
+        Shape    X (|V|, m) for "ppp", else (|K_n|, m); the result (|E|,), for "dpd" (|K_{n-1}|,)
+        Units    those of X times length
+        Raises   InputError on a wrong kind or shape, or for n = 0; GeometryError without a metric, or naming flat top simplices;
+                 TopologyError for "dpd" if K is not orientable
         Exact    for constant fields, "ppp" for linear ones
         Source   Hirani 2003, §5.4 to §5.6
         """
@@ -276,17 +310,14 @@ class Operators(Contraction):
         return self._core.flat(kind, vectors)
 
 
-def _values(f: Field, given: npt.ArrayLike, count: int, width: int) -> Floats:
+def _values(given: npt.ArrayLike, count: int, width: int) -> Floats:
     """The values of a field at points, shape (count, width), from what it returned there or is."""
-    values: Any = float_array(given, "the values of the field")
-    expected = (count, width)
-    if not callable(f):
-        values = np.broadcast_to(values, expected) if values.shape in ((), (width,)) else values
-    elif width == 1 and values.shape == (count,):
-        values = values[:, np.newaxis]
-    if values.shape != expected:
-        raise InputError(
-            f"the field has values of shape {values.shape} at {count} points; expected "
-            + (f"({count},)" if width == 1 else f"{expected}")
-        )
-    return np.asarray(values, np.float64)
+    values = float_array(given, "the values of the field")
+    if width == 1 and values.shape == (count,):
+        return values[:, np.newaxis]
+    if np.ndim(given) == 0 or values.shape in ((width,), (count, width)):
+        return np.broadcast_to(values, (count, width))
+    expected = f"({count},)" if width == 1 else f"({count}, {width})"
+    raise InputError(
+        f"the field has values of shape {values.shape} at {count} points; expected {expected}, or ({width},) if constant"
+    )

@@ -17,10 +17,10 @@ from .reports import ManifoldDefect, ManifoldReport
 
 
 class SignedIndex(NamedTuple):
-    """Positions of simplices in their list, and the signs of the aliases they were asked by."""
+    """Positions of simplices in their list, and the signs of the aliases they were asked by: arrays, or two numbers for one."""
 
-    index: Any
-    sign: Any
+    index: Integers | Any  # type: ignore[assignment]  # not that of tuples
+    sign: npt.NDArray[np.int8] | Any
 
 
 class Topology(Boundary):
@@ -28,6 +28,7 @@ class Topology(Boundary):
 
     @property
     def is_orientable(self) -> bool:
+        """Whether its simplices have coherent orientations; else all top simplices count as positive."""
         return self._core.is_orientable()
 
     @property
@@ -48,6 +49,7 @@ class Topology(Boundary):
 
     @property
     def euler_characteristic(self) -> int:
+        """χ = Σ (-1)^k |K_k|."""
         return sum((-1) ** k * size for k, size in enumerate(self._sizes))
 
     def simplices(self, k: int) -> Integers:
@@ -99,6 +101,7 @@ class Topology(Boundary):
         """The index and sign of every alias: any order of the vertices of a simplex. -1 and 0 where it is none of K.
 
         Shape    tuples (count, k+1), or (k+1,) for one
+        Raises   InputError on a wrong shape, or unless 0 <= k <= n
         Source   Elcott & Schröder, "Building your own DEC at home", §3.2
 
         >>> import derham
@@ -119,7 +122,8 @@ class Topology(Boundary):
     def index(self, tuples: npt.ArrayLike) -> SignedIndex:
         """As `find`, for simplices of K only.
 
-        Raises   InputError naming the first tuple that is no simplex of K
+        Shape    as `find`
+        Raises   as `find`; InputError naming the first tuple that is no simplex of K
 
         >>> import derham
         >>> derham.Complex([(0, 1, 2)]).index((2, 1))
@@ -284,6 +288,8 @@ class Topology(Boundary):
     def closure(self, simplices: Mapping[int, npt.ArrayLike]) -> dict[int, Integers]:
         """All faces of a set of simplices, and they themselves. A set is a mapping from degrees to indices.
 
+        Raises   InputError naming an index that is none
+
         >>> import derham
         >>> derham.Complex([(0, 1, 2)]).closure({1: [2]})
         {0: array([1, 2], dtype=int32), 1: array([2], dtype=int32)}
@@ -291,11 +297,17 @@ class Topology(Boundary):
         return self._by_degree(self._core.closure(self._sets(simplices)))
 
     def open_star(self, simplices: Mapping[int, npt.ArrayLike]) -> dict[int, Integers]:
-        """All simplices that have one of the set as a face, and they themselves."""
+        """All simplices that have one of the set as a face, and they themselves.
+
+        Raises   as `closure`
+        """
         return self._by_degree(self._core.open_star(self._sets(simplices)))
 
     def link(self, simplices: Mapping[int, npt.ArrayLike]) -> dict[int, Integers]:
-        """The closure of the star without the star of the closure."""
+        """The closure of the star without the star of the closure.
+
+        Raises   as `closure`
+        """
         return self._by_degree(self._core.link(self._sets(simplices)))
 
     def check(self) -> ManifoldReport:

@@ -38,7 +38,8 @@ class Complex(Operators, Mesh):
                           old numbers
 
     Top simplices are oriented coherently, each component by its total signed volume where n = m, else so that its first
-    tuple is positive. A complex does not change; copies are itself. Metrics exist for pure complexes of dimension 0 to 4.
+    tuple is positive. A complex does not change; copies are itself. Metrics exist for pure complexes of dimension 0 to 4; points
+    alone (n = 0) have volumes, stars and integrals, but no Laplacians.
 
     Cost     linear; other Python threads may run meanwhile
     Raises   InputError naming the first offending row; GeometryError naming a position or length that is none;
@@ -202,6 +203,11 @@ def _rows(simplices: Any) -> tuple[Integers, Integers | None]:
             return vertices, np.cumsum(lengths).astype(index_dtype)
         simplices = np.array(tuples) if tuples else np.zeros((0, 1), index_dtype)
     rows = index_array(simplices, "simplices")
+    if rows.ndim == 2 and rows.shape[0] <= 7 < rows.shape[1]:
+        raise InputError(
+            f"the dimension of the simplices is {rows.shape[1] - 1}; expected 0 to 6. Rows are simplices: if columns are, give "
+            f"the transposed array, simplices.T of shape {rows.shape[::-1]}"
+        )
     if rows.ndim != 2 or rows.shape[1] == 0:
         raise InputError(f"simplices have shape {rows.shape}; expected (count, n+1), the vertices of a simplex in every row")
     return rows, None

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import errno
+import os
+from typing import Any
+
 
 class Error(Exception):
     """The root of everything that derham raises."""
@@ -28,10 +32,47 @@ class LimitError(Error, OverflowError):
 
 
 class FileError(Error, OSError):
-    """A file cannot be read, parsed or written. `line` is 0 where no line applies; `action` is "read" or "write"."""
+    """A file cannot be read, parsed or written. `line` is 0 where no line applies; `action` is "read" or "write".
+
+    Where the system refused, `errno` is its number, and the error is also the builtin one of that number, as those of `open`:
+    FileNotFoundError, PermissionError, IsADirectoryError, ….
+    """
+
+    path: str
+    line: int
+    action: str
+
+    def __new__(cls, message: str, path: str = "", line: int = 0, action: str = "read") -> FileError:
+        number = None if line else _number_of(message)
+        builtin = type(OSError(number, "")) if number else OSError
+        self = super().__new__(_both(cls, builtin), message)
+        self.errno, self.filename = number, path or None
+        self.strerror = os.strerror(number) if number else None
+        self.path, self.line, self.action = path, line, action
+        return self
 
     def __init__(self, message: str, path: str = "", line: int = 0, action: str = "read") -> None:
-        super().__init__(message)
-        self.path = path
-        self.line = line
-        self.action = action
+        pass
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return FileError, (self.args[0], self.path, self.line, self.action)
+
+
+def _number_of(message: str) -> int | None:
+    """The number of the error of the system that a message of the library ends with."""
+    reason = message.rpartition(": ")[2]
+    return next((number for number in errno.errorcode if os.strerror(number) == reason), None)
+
+
+_classes: dict[tuple[type[FileError], type[OSError]], type[FileError]] = {}
+
+
+def _both(cls: type[FileError], builtin: type[OSError]) -> type[FileError]:
+    """The class of errors that are both, the same one every time."""
+    if issubclass(cls, builtin):
+        return cls
+    members = {"__module__": cls.__module__, "__doc__": cls.__doc__}
+    return _classes.setdefault((cls, builtin), type(cls.__name__, (cls, builtin), members))

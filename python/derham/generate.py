@@ -1,4 +1,8 @@
-"""Meshes and small triangulations to compute and to test with. Every function makes a `derham.Complex`."""
+"""Meshes and small triangulations to compute and to test with. Every function makes a `derham.Complex`.
+
+"Star" says which Hodge stars are good for them; where nothing is said, all dual volumes are positive or there are no positions.
+Raises   InputError for arguments out of range; LimitError for meshes that do not fit the index type
+"""
 
 from __future__ import annotations
 
@@ -59,7 +63,8 @@ def box(
     lengths  of the sides; by default 1
     jitter   interior vertices move by jitter · (length of a cell) · a random number of [-1/2, 1/2) along every axis
 
-    Many circumcentric dual volumes of a box without jitter are zero.
+    Star     circumcentric dual volumes of degrees 0 < k < n are zero, or negative with jitter: take "power" with
+             `weights=K.hot_weights().weights`, or "whitney" and `mixed_laplacian`
     Source   Freudenthal 1942; Kuhn 1960
 
     >>> import derham
@@ -77,7 +82,11 @@ def periodic_box(
     jitter: float = 0,
     seed: int = 1,
 ) -> Complex:
-    """The box with opposite sides identified, a flat n-torus; at least 3 cells along every axis."""
+    """The box with opposite sides identified, a flat n-torus; at least 3 cells along every axis.
+
+    Star     many circumcentric dual volumes of degrees 0 < k < n are zero, whatever the weights: take "whitney" and
+             `mixed_laplacian`; or `a_star_lattice`, a flat torus with positive ones
+    """
     return _made(_derham.periodic_box, _cells(dimension, cells), _lengths(lengths), jitter, seed)
 
 
@@ -92,17 +101,29 @@ def icosphere(level: int, radius: float = 1) -> Complex:
 
 
 def torus(segments: int, sides: int, major: float = 1, minor: float = 0.4) -> Complex:
-    """The torus of revolution about the z axis in R³: 2 segments · sides triangles."""
+    """The torus of revolution about the z axis in R³: 2 segments · sides triangles.
+
+    Star     many circumcentric dual volumes of degrees 0 < k < n are zero, whatever the weights: take "whitney" and
+             `mixed_laplacian`
+    """
     return _made(_derham.torus, segments, sides, major, minor)
 
 
 def solid_torus(rings: int, segments: int, major: float = 1, minor: float = 0.4) -> Complex:
-    """The solid torus of revolution about the z axis: 18 rings² segments tetrahedra."""
+    """The solid torus of revolution about the z axis: 18 rings² segments tetrahedra.
+
+    Star     many circumcentric dual volumes of degrees 0 < k < n are zero, whatever the weights: take "whitney" and
+             `mixed_laplacian`
+    """
     return _made(_derham.solid_torus, rings, segments, major, minor)
 
 
 def clifford_torus(a: int, b: int, radius: float = 1) -> Complex:
-    """The flat torus in R⁴."""
+    """The flat torus in R⁴.
+
+    Star     many circumcentric dual volumes of degrees 0 < k < n are zero, whatever the weights: take "whitney" and
+             `mixed_laplacian`
+    """
     return _made(_derham.clifford_torus, a, b, radius)
 
 
@@ -124,6 +145,8 @@ def bcc_lattice(cells: int, cell_length: float = 1) -> Complex:
 
 def voxels(spec: str) -> Complex:
     """Unit cubes of a grid, given as a full box and boxes taken away (-) or put back (+): "3x3x1-1,1,0" is a ring.
+
+    Star     as `box`
 
     >>> import derham
     >>> derham.generate.voxels("3x3x1-1,1,0").sizes

@@ -9,7 +9,8 @@ import numpy.typing as npt
 import scipy.sparse as sparse
 
 from . import _derham
-from ._arguments import Floats, Integers, array_of, index_list, shown
+from ._arguments import Floats, Integers, array_of, index_list, shown, signed_dtype
+from ._base import compressed
 from ._topology import SignedIndex
 from .complex import Complex
 from .errors import InputError
@@ -47,15 +48,25 @@ class SimplicialMap:
 
     def images(self, k: int) -> SignedIndex:
         """Where every positively oriented k-simplex of K goes, and the sign of its orientation there; -1 and 0 if it is
-        collapsed. Shape (|K_k|,)."""
+        collapsed.
+
+        Shape    (|K_k|,)
+        Raises   InputError unless 0 <= k <= n
+        """
         return SignedIndex(*self._core.images(self.source._degree(k)))
 
-    def matrix(self, k: int) -> sparse.csr_array:
-        """The pullback of k-forms; its transpose is the pushforward of k-chains. Shape |K_k| × |L_k|, entries ±1 (int8)."""
+    def matrix(self, k: int, dtype: npt.DTypeLike = np.int8) -> sparse.csr_array:
+        """The pullback of k-forms; its transpose is the pushforward of k-chains.
+
+        Shape    |K_k| × |L_k|, entries ±1
+        Invalid  as int8, products whose sums exceed 127: take dtype=int
+        Raises   InputError unless 0 <= k <= n
+        """
         index, sign = self.images(k)
-        rows = np.flatnonzero(sign)
-        shape = (self.source.size(k), self.target.size(k))
-        return sparse.csr_array((sign[rows], (rows, index[rows])), shape=shape)
+        kept = sign != 0
+        pointers = np.concatenate([[0], np.cumsum(kept)]).astype(index.dtype)
+        arrays = sign[kept].astype(signed_dtype(dtype)), index[kept], pointers
+        return compressed(sparse.csr_array, arrays, (self.source.size(k), self.target.size(k)))
 
     def pullback(self, w: npt.ArrayLike, k: int) -> Floats:
         """φ*w, the k-form on K whose value on a simplex is that of w on its image; 0 where the simplex is collapsed.

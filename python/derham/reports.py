@@ -143,8 +143,8 @@ class DualReport(Report):
 class HotWeights(Report):
     """Weights for the power star, and what they do.
 
-    `energy` is Σ |T| |c_T - b_T|², c_T power centres and b_T barycentres, before for weights 0; units length^(n+2). The k-simplices
-    whose dual volume is not positive are lists by degree. `excluded_range` is not 0 if there are no good weights.
+    `energy` is Σ |T| |c_T - b_T|², c_T power centres and b_T barycentres, before for weights 0; units length^(n+2). The
+    k-simplices whose dual volume is not positive are lists by degree. `excluded_range` is not 0 if there are no good weights.
     """
 
     weights: npt.NDArray[Any]

@@ -28,15 +28,27 @@ class FormSpace:
         self._lists = lists
 
     def free(self, k: int) -> Integers:
-        """The k-simplices that are not in Γ: the unknowns."""
+        """The k-simplices that are not in Γ: the unknowns.
+
+        Shape    (free,), increasing indices
+        Raises   InputError unless 0 <= k <= n
+        """
         return self._lists[self.complex._degree(k)][0]
 
     def prescribed(self, k: int) -> Integers:
-        """The k-simplices in Γ."""
+        """The k-simplices in Γ.
+
+        Shape    (prescribed,), increasing indices
+        Raises   InputError unless 0 <= k <= n
+        """
         return self._lists[self.complex._degree(k)][1]
 
     def extension(self, k: int) -> sparse.csc_array:
-        """E, extension by zero. Shape |K_k| × |free(k)|."""
+        """E, extension by zero.
+
+        Shape    |K_k| × |free(k)|
+        Raises   InputError unless 0 <= k <= n
+        """
         free = self.free(k)
         pointers = np.arange(len(free) + 1, dtype=free.dtype)
         return compressed(sparse.csc_array, (np.ones(len(free)), free, pointers), (self.complex.size(k), len(free)))
@@ -75,12 +87,20 @@ class Refinement:
         return f"derham.Refinement from {self.coarse.sizes} to {self.fine.sizes} simplices"
 
     def prolongation(self, k: int) -> sparse.csr_array:
-        """P: the integrals of the Whitney form of a coarse k-form over the fine simplices. Shape |fine K_k| × |K_k|."""
+        """P: the integrals of the Whitney form of a coarse k-form over the fine simplices.
+
+        Shape    |fine K_k| × |K_k|
+        Raises   InputError unless 0 <= k <= n
+        """
         arrays = self._core.prolongation(self.coarse._degree(k))
         return compressed(sparse.csr_array, arrays, (self.fine.size(k), self.coarse.size(k)))
 
     def restriction(self, k: int) -> sparse.csr_array:
-        """R: the sum of the values on the pieces of every coarse simplex. Shape |K_k| × |fine K_k|."""
+        """R: the sum of the values on the pieces of every coarse simplex.
+
+        Shape    |K_k| × |fine K_k|
+        Raises   InputError unless 0 <= k <= n
+        """
         arrays = self._core.restriction(self.coarse._degree(k))
         return compressed(sparse.csr_array, arrays, (self.coarse.size(k), self.fine.size(k)))
 

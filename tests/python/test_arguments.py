@@ -63,6 +63,7 @@ def calls(K: derham.Complex, path: str) -> dict[str, tuple[Any, ...]]:
         "write": (path,), "write_forms": (path + ".vtu", {"u": (w0, 0)}), "trace": (w0, 0), "trace_matrix": (0,),
         "boundary_term": (np.ones(2), 0), "boundary_load": (np.ones(2), 0, np.eye(2)), "robin_matrix": (0, np.eye(2)),
         "boundary_material": ([([0], 1.0)],), "cfl_bound": (np.ones(m),), "tagged_facets": ("a",),
+        "tagged_simplices": ("a",),
         "renumbered": (),
     }  # fmt: skip
 

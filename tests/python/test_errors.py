@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import errno
+import os
+import pickle
 import re
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -24,7 +28,8 @@ REFUSED: list[tuple[type[Exception], str, Callable[[], object]]] = [
     (ValueError, r"w has shape \(16, 1, 1\)", lambda: K.apply_d(np.ones((16, 1, 1)), 1)),
     (ValueError, r"the side is 'left'; expected 'primal' or 'dual'", lambda: K.d(0, "left")),  # type: ignore[arg-type]
     (ValueError, r"array of complex128; expected real numbers", lambda: K.apply_d(np.ones(16) * 1j, 1)),
-    (ValueError, r"out is an array of float32", lambda: K.apply_d(np.ones(16), 1, out=np.ones(8, np.float32))),  # type: ignore[arg-type]
+    (ValueError, r"out is an array of float32",
+     lambda: K.apply_d(np.ones(16), 1, out=np.ones(8, np.float32))),  # type: ignore[arg-type]
     (ValueError, r"simplices is an array of float64; expected integers", lambda: derham.Complex(np.ones((2, 3)))),
     (ValueError, r"simplices have shape \(3,\)", lambda: derham.Complex(np.arange(3))),
     (ValueError, r"row 1 .*repeat|row 1 .*more than once|row 1", lambda: derham.Complex([(0, 1, 2), (2, 2, 3)])),
@@ -41,20 +46,44 @@ REFUSED: list[tuple[type[Exception], str, Callable[[], object]]] = [
     (ValueError, r"no 1-simplex 16; expected 0 to 15", lambda: K.closure({1: [16]})),
     (ValueError, r"kind of star is 'round'; expected .*circumcentric", lambda: K.star(1, "round")),  # type: ignore[arg-type]
     (ValueError, r"only kind='power'", lambda: K.star(1, weights=np.zeros(9))),
-    (ValueError, r"expected a diagonal one", lambda: K.star_inverse(1, "whitney")),
+    (ValueError, r"not sparse: factorise star\(k, 'whitney'\); expected a diagonal one",
+     lambda: K.star_inverse(1, "whitney")),  # type: ignore[arg-type]
+    (ValueError, r"not sparse: take mixed_laplacian", lambda: K.laplacian(1, "whitney")),  # type: ignore[arg-type]
+    (ValueError, r"not sparse: take mixed_laplacian", lambda: K.weak_laplacian(1, "whitney")),  # type: ignore[arg-type]
+    (ValueError, r"not sparse: take mixed_laplacian", lambda: K.codifferential(1, "whitney")),  # type: ignore[arg-type]
+    (ValueError, r"not sparse: take kind='whitney'",
+     lambda: K.interior(np.ones(16), np.ones(8), 2, kind="algebraic", star="whitney")),  # type: ignore[arg-type]
     (ValueError, r"material", lambda: K.star(1, material=np.ones(3))),
     (derham.TopologyError, r"not orientable", lambda: M.apply_d(np.ones(5), 0, "dual")),
     (derham.GeometryError, r"has no metric", lambda: M.volumes(1)),
     (ValueError, r"dimension of the complex is 5; expected 0 to 4", lambda: derham.generate.box(5, 1).star(0)),
-    (derham.GeometryError, r"zero", lambda: K.star_inverse(1)),
+    (derham.GeometryError, r"4 dual volumes are zero.* use kind='power' with weights=.*barycentric.*mixed_laplacian",
+     lambda: K.star_inverse(1)),
+    (derham.GeometryError, r"dual volumes are zero.* kind='power'.*mixed_laplacian", lambda: K.laplacian(2)),
+    (derham.GeometryError, r"dual volumes.* zero.* kind='power'.*mixed_laplacian", lambda: K.weak_laplacian(2)),
+    (derham.GeometryError, r"dual volumes are zero.* kind='power'.*mixed_laplacian", lambda: K.codifferential(2)),
+    (derham.GeometryError, r"dual volumes are zero.* kind='power'",
+     lambda: K.interior(np.ones(16), np.ones(8), 2, kind="algebraic")),
+    (ValueError, r"dimension of the simplices is 8; expected 0 to 6.* simplices\.T of shape \(9, 3\)",
+     lambda: derham.Complex(np.arange(27).reshape(3, 9))),
+    (ValueError, r"dimension of the complex is 0; expected 1 to 4",
+     lambda: derham.Complex([(0,)], points=[(0,)]).laplacian(0)),
+    (ValueError, r"points have shape \(3,\); expected \(count, 2\), or \(2,\) for one", lambda: K.locate([0, 0, 0])),
+    (ValueError, r"values of shape \(3,\) at \d+ points; expected \(\d+, 2\), or \(2,\) if constant",
+     lambda: K.integrate(lambda x: [1, 2, 3], 1)),
+    (ValueError, r"X has values of shape \(3,\) .* or \(2,\) if", lambda: K.interior(lambda x: [1, 2, 3], np.ones(16), 1)),
     (ValueError, r"3 numbers of cells; expected one, or 2", lambda: derham.generate.box(2, (1, 2, 3))),
     (derham.LimitError, r"", lambda: derham.generate.box(2, 2_000_000)),
-    (OSError, r"nowhere", lambda: derham.read("/nowhere.off")),
+    (FileNotFoundError, r"/nowhere.off: cannot open: No such file", lambda: derham.read("/nowhere.off")),
+    (IsADirectoryError, r"cannot read", lambda: derham.read("/")),
+    (FileNotFoundError, r"cannot create", lambda: K.write("/nowhere/mesh.off")),
+    (IsADirectoryError, r"cannot write", lambda: K.write("/", "off")),
+    (NotADirectoryError, r"cannot create", lambda: K.write("/dev/null/mesh.off")),
     (ValueError, r"no format 'xyz'; expected", lambda: derham.read("/nowhere.off", "xyz")),
     (ValueError, r"tells no format", lambda: K.write("mesh.unknown")),
     (ValueError, r"the path .* holds a zero character", lambda: K.write("mesh.off\0.txt")),
     (ValueError, r"the path .* is not UTF-8", lambda: derham.read("\udcff.off")),
-    (ValueError, r"the name of a form '.udcff' is not UTF-8", lambda: K.write_forms("x.vtu", {"\udcff": (np.ones(9), 0)})),
+    (ValueError, r"a name in forms '.*udcff' is not UTF-8", lambda: K.write_forms("x.vtu", {"\udcff": (np.ones(9), 0)})),
     (ValueError, r"binary is 1; expected True or False", lambda: K.write("mesh.off", binary=1)),  # type: ignore[arg-type]
     (ValueError, r"simplices has masked entries", lambda: derham.Complex(np.ma.masked_array([(0, 1)], [(True, False)]))),
     (ValueError, r"w has masked entries", lambda: K.apply_d(np.ma.masked_less(np.arange(16.0), 3), 1)),
@@ -74,7 +103,8 @@ REFUSED: list[tuple[type[Exception], str, Callable[[], object]]] = [
     (ValueError, r"tuples have shape \(4,\)", lambda: K.find((0, 1, 2, 3))),
     (ValueError, r"the set of simplices is \[0\]; expected a mapping", lambda: K.link([0])),  # type: ignore[arg-type]
     (ValueError, r"weights have shape \(9, 1\); expected \(9,\)", lambda: K.star(1, "power", weights=np.zeros((9, 1)))),
-    (ValueError, r"the material is a tuple of 3; expected a pair", lambda: K.star(1, material=(1, 2, 3))),  # type: ignore[arg-type]
+    (ValueError, r"the material is a tuple of 3; expected a pair",
+     lambda: K.star(1, material=(1, 2, 3))),  # type: ignore[arg-type]
     (ValueError, r"the rows of the material have shape \(1,\)", lambda: K.star(1, material=(1, 2))),
     (ValueError, r"prescribed has shape \(1, 2\)", lambda: K.form_space([[0, 1]])),
     (ValueError, r"simplices has shape \(1, 1\)", lambda: K.dual_cells(1, [[0]])),
@@ -84,7 +114,8 @@ REFUSED: list[tuple[type[Exception], str, Callable[[], object]]] = [
     (ValueError, r"space is 5; expected a form space", lambda: K.mixed_laplacian(1, space=5)),  # type: ignore[arg-type]
     (derham.GeometryError, r"has no metric", lambda: M.locate([(0, 0)])),
     (derham.TopologyError, r"refinement needs a pure complex", lambda: derham.Complex([(0, 1, 2), (2, 3)]).refined()),
-    (ValueError, r"cells is an array of float64; expected integers", lambda: derham.generate.box(2, 2.5)),  # type: ignore[arg-type]
+    (ValueError, r"cells is an array of float64; expected integers",
+     lambda: derham.generate.box(2, 2.5)),  # type: ignore[arg-type]
     (ValueError, r"the arguments are 3, 1\.5, 1; expected ball\(dimension: int, layers: int",
      lambda: derham.generate.ball(3, 1.5)),  # type: ignore[arg-type]
     (ValueError, r"the argument is None; expected a complex", lambda: derham.generate.cone(None)),  # type: ignore[arg-type]
@@ -118,3 +149,27 @@ def test_attributes(tmp_path) -> None:  # type: ignore[no-untyped-def]
         derham.read(path)
     error = file_error.value
     assert (error.path, error.line, error.action) == (str(path), 4, "read") and str(error).startswith(f"{path}:4: ")
+
+
+def test_refusals_of_the_system(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError) as caught:
+        derham.read(tmp_path / "none.off")
+    error = caught.value
+    assert isinstance(error, derham.FileError) and type(error).__name__ == "FileError"
+    assert (error.errno, error.filename, error.line) == (errno.ENOENT, str(tmp_path / "none.off"), 0)
+    assert str(error) == f"{error.filename}: cannot open: {error.strerror}"
+    again = pickle.loads(pickle.dumps(error))
+    assert type(again) is type(error) and str(again) == str(error) and again.errno == error.errno
+    (tmp_path / "empty.off").write_text("")
+    with pytest.raises(derham.FileError) as caught_too:
+        derham.read(tmp_path / "empty.off")
+    assert type(caught_too.value) is derham.FileError and caught_too.value.errno is None
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="nothing is forbidden to root")
+def test_a_file_that_is_forbidden(tmp_path: Path) -> None:
+    path = tmp_path / "mesh.off"
+    K.write(path)
+    path.chmod(0)
+    with pytest.raises(PermissionError):
+        derham.read(path)

@@ -6,6 +6,7 @@ import inspect
 import subprocess
 import sys
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -108,3 +109,18 @@ def test_pictures_of_forms(tmp_path: Path) -> None:
         K.write_forms(tmp_path / "forms.vtu", {"u": (w, 0)})
     with pytest.raises(derham.GeometryError, match="no points"):
         derham.generate.klein_bottle().write_forms(tmp_path / "k.vtu", {})
+
+
+def test_pictures_over_time(tmp_path: Path) -> None:
+    K, pictures = derham.generate.box(2, 2), []
+    for step in range(3):
+        pictures.append((0.1 * step, Path(f"heat_{step}.vtu")))
+        K.write_forms(tmp_path / pictures[-1][1], {"u": (step * K.points[:, 0], 0)})
+    derham.write_series(tmp_path / "heat.pvd", pictures)
+    entries = ElementTree.parse(tmp_path / "heat.pvd").getroot().findall("Collection/DataSet")
+    assert [(float(e.attrib["timestep"]), e.attrib["file"]) for e in entries] == [(t, str(path)) for t, path in pictures]
+    for wrong, message in (([(float("nan"), "a")], "time"), ([(0, "")], "empty|name"), (5, "expected pairs"), ([(0,)], "pairs")):
+        with pytest.raises(derham.InputError, match=message):
+            derham.write_series(tmp_path / "heat.pvd", wrong)  # type: ignore[arg-type]
+    with pytest.raises(FileNotFoundError):
+        derham.write_series(tmp_path / "nowhere" / "heat.pvd", pictures)

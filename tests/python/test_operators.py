@@ -98,20 +98,54 @@ def test_interpolation_inverts_integration_of_constants(K: derham.Complex) -> No
     for k in range(n + 1):
         components = random.standard_normal(len(list(combinations(range(m), k))))
         w = K.integrate(components, k)
-        expected = np.broadcast_to(components[0] if len(components) == 1 else components, (len(inside), *components.shape)[: 1 + (len(components) > 1)])
+        expected = np.broadcast_to(components, (len(inside), len(components))).squeeze()
         np.testing.assert_allclose(K.interpolate(w, k), expected, atol=1e-12)
         np.testing.assert_allclose(K.interpolate(w, k, inside), expected, atol=1e-12)
 
 
 def test_locate() -> None:
     K = derham.generate.box(2, 3)
-    simplex, barycentric = K.locate([[0.1, 0.2], [2, 2]])
+    simplex, barycentric, distance = K.locate([[0.1, 0.2], [2, 2]])
+    assert distance[0] == 0 and np.isnan(distance[1])
     assert simplex[1] == -1 and np.isnan(K.interpolate(np.ones(K.size(0)), 0, [[2, 2]])).all()
     corners = K.points[K.simplices(2)[simplex[0]]]
     np.testing.assert_allclose(barycentric[0] @ corners, [0.1, 0.2], atol=1e-15)
     S = derham.generate.icosphere(2)
     w = S.points[:, 2]
     assert S.interpolate(w, 0, [[0, 0, 2.0]])[0] == pytest.approx(1, abs=0.05)
+
+
+def test_distances_of_located_points() -> None:
+    S, square = derham.generate.icosphere(3), derham.generate.box(2, 3)
+    assert S.locate([[0, 0, 3.0], [0, 0, 1]]).distance == pytest.approx([2, 0], abs=0.02)
+    found = square.locate([[2.0, 0.5], [1, 3], [0.5, 0.5]], nearest=True)
+    np.testing.assert_allclose(found.distance, [1, 2, 0], atol=1e-15)
+    corners = square.points[square.simplices(2)[found.simplex]]
+    np.testing.assert_allclose(np.einsum("ij,ijk->ik", found.barycentric, corners), [[1, 0.5], [1, 1], [0.5, 0.5]], atol=1e-15)
+
+
+def test_one_point(K: derham.Complex) -> None:
+    if K.points is None:
+        return
+    point, w = K.corners().mean(axis=1)[0], np.random.default_rng(8).standard_normal(K.size(1))
+    simplex, barycentric, distance = K.locate(point)
+    many = K.locate(point[np.newaxis])
+    assert (simplex, distance) == (many.simplex[0], many.distance[0]) and isinstance(simplex, int)
+    assert barycentric.tolist() == many.barycentric[0].tolist()
+    for k, form in ((0, K.points[:, 0]), (1, w)):
+        assert np.array_equal(K.interpolate(form, k, point), K.interpolate(form, k, [point])[0])
+
+
+def test_functions_whose_values_are_constant(K: derham.Complex) -> None:
+    m = K.ambient_dimension
+    X = np.arange(1.0, m + 1)
+    assert (K.integrate(lambda x: 2.0, 0) == 2).all()
+    assert np.array_equal(K.integrate(lambda x: X, 1), K.integrate(X, 1))
+    assert np.array_equal(K.integrate(lambda x: 3, K.dimension), K.integrate(3, K.dimension))
+    w = K.integrate(X[::-1], 1)
+    constant = K.interior(X, w, 1)
+    np.testing.assert_allclose(K.interior(lambda x: X, w, 1), constant, atol=1e-12)
+    np.testing.assert_allclose(K.interior(lambda x: np.tile(X, (len(x), 1)), w, 1), constant, atol=1e-12)
 
 
 def test_wedge() -> None:

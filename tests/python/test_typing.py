@@ -21,6 +21,19 @@ stiffness = K.d(0).T @ K.star(1, "power", weights=np.zeros(K.size(0))) @ K.d(0)
 star = K.star(1, material=(np.eye(2)[np.newaxis], np.zeros(K.size(2), int)))
 K.star(1, "round")  # error: arg-type
 K.star(1, kinds="whitney")  # error: call-arg
+K.star(1, "whitney")
+K.star_inverse(1, "whitney")  # error: arg-type
+K.codifferential(1, "whitney")  # error: arg-type
+K.laplacian(1, "whitney")  # error: arg-type
+K.weak_laplacian(1, "whitney")  # error: arg-type
+K.interior(np.ones(2), w, 1, star="whitney")  # error: arg-type
+K.points.position  # error: union-attr
+K.index((0, 1)).position  # error: attr-defined
+K.index([(0, 1)]).index.position  # error: union-attr
+K.find([(0, 1)]).sign.astype(float)
+where = K.locate([0.1, 0.1], nearest=True)
+where.distance + 1, K.points[K.simplices(2)[where.simplex]].T @ where.barycentric
+K.locate([0.1, 0.1], nearby=True)  # error: call-arg
 boundary, inclusion = K.boundary_complex()
 boundary.simplices(1)[inclusion[0]]
 if K.check() and K.star_verdict(1):
