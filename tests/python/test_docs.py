@@ -54,48 +54,20 @@ def phrases() -> list[str]:
 
 @pytest.fixture(scope="module")
 def words(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    """What the phrases speak of: a hexagon with a named part."""
+    """What the phrases speak of: a hexagon with a named boundary."""
+    K = derham.generate.ball(2, 1)
+    edges = K.simplices(1)[K.boundary_simplices()[1]]
+    K = K.with_data(parts={"inlet": edges})
     path = tmp_path_factory.mktemp("words") / "hexagon.msh"
-    path.write_text(HEXAGON)
-    K = derham.read(path, planar=True)
+    K.write(path)
     w = np.arange(K.size(1)) / 7
     return {
-        "derham": derham, "path": path, "K": K, "k": 1, "w": w, "m": 2, "name": K.parts[0].name,
+        "derham": derham, "path": path, "K": K, "k": 1, "w": w, "m": 2, "name": "inlet",
         "f": lambda x: np.stack([x[:, 1], -x[:, 0]], axis=1), "points": np.array([[0.1, 0.2], [0.3, 0.1]]),
-        "vertices": K.points, "triangles": K.simplices(2), "faces": K.simplices(2), "lengths": K.volumes(1), "kappa": 0.5,
-        "p": K.points.T, "t": K.simplices(2).T, "A": K.star(1, "whitney"), "b": w, "E": K.form_space().extension(1),
+        "vertices": K.points, "triangles": K.simplices(2), "faces": K.simplices(2), "edges": edges, "lengths": K.volumes(1),
+        "kappa": 0.5, "p": K.points.T, "t": K.simplices(2).T, "A": K.star(1, "whitney"), "b": w, "E": K.form_space().extension(1),
         "delta": 1.5, "dimension": 2,
     }
-
-
-HEXAGON = """\
-$MeshFormat
-2.2 0 8
-$EndMeshFormat
-$PhysicalNames
-1
-2 1 "plate"
-$EndPhysicalNames
-$Nodes
-7
-1 0 0 0
-2 1 0 0
-3 0.5 0.8660254037844386 0
-4 -0.5 0.8660254037844386 0
-5 -1 0 0
-6 -0.5 -0.8660254037844386 0
-7 0.5 -0.8660254037844386 0
-$EndNodes
-$Elements
-6
-1 2 2 1 1 1 2 3
-2 2 2 1 1 1 3 4
-3 2 2 1 1 1 4 5
-4 2 2 1 1 1 5 6
-5 2 2 1 1 1 6 7
-6 2 2 1 1 1 7 2
-$EndElements
-"""
 
 
 @pytest.mark.parametrize("phrase", phrases())
