@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from ._arguments import Floats, float_array, one_of, shown, whole_number
 from ._base import Side
-from ._metric import DiagonalStarKind, Metric, with_inverse
+from ._hodge import DiagonalStarKind, Hodge, with_inverse
 from ._topology import Topology
 from .errors import GeometryError, InputError
 
@@ -21,7 +21,7 @@ Field: TypeAlias = "Callable[[Floats], npt.ArrayLike] | npt.ArrayLike"
 MAX_ORDER = 200
 
 
-class Contraction(Topology, Metric):
+class Contraction(Topology, Hodge):
     """What contracts forms with vector fields."""
 
     def interior(

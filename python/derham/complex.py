@@ -20,13 +20,16 @@ from ._arguments import (
     path_text,
     shown,
 )
+from ._contraction import Contraction
 from ._data import GivenForm
+from ._fields import Fields
+from ._laplacians import Laplacians
 from ._mesh import Mesh
-from ._operators import Operators
+from ._wedge import Wedge
 from .errors import InputError
 
 
-class Complex(Operators, Mesh):
+class Complex(Wedge, Contraction, Laplacians, Fields, Mesh):
     """The closure of some simplices, oriented, with exact boundary operators; with positions or lengths also a metric.
 
     simplices             (count, n+1) vertices of the top simplices in any order, n = 0 to 6; or tuples of several

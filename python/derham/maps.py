@@ -11,7 +11,7 @@ import scipy.sparse as sparse
 from . import _derham
 from ._arguments import Floats, Integers, array_of, index_list, shown, signed_dtype
 from ._base import compressed
-from ._topology import SignedIndex
+from ._simplices import SignedIndex
 from .complex import Complex
 from .errors import InputError
 

@@ -109,3 +109,26 @@ def test_dual_cells() -> None:
     x, y = corners.T
     area = abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) / 2
     assert area == pytest.approx(K.dual_volumes(0)[5])
+
+
+def kinds_without_zeros(K: derham.Complex) -> list[str]:
+    """The stars that are positive in every degree."""
+    weights = {"power": K.hot_weights().weights}
+    kinds = ("circumcentric", "power", "whitney")
+    return [
+        kind for kind in kinds
+        if all(K.star_verdict(k, kind, weights=weights.get(kind)) for k in range(K.dimension + 1))  # type: ignore[arg-type]
+    ]  # fmt: skip
+
+
+def test_generators_say_which_star_to_take() -> None:
+    G = derham.generate
+    for K in (G.box(2, 3), G.box(2, 5, jitter=0.4), G.box(3, 2, jitter=0.3), G.voxels("3x3x1-1,1,0")):
+        assert kinds_without_zeros(K) == ["power", "whitney"]
+    for K in (G.periodic_box(2, 4), G.periodic_box(3, 3), G.torus(12, 8), G.solid_torus(1, 9), G.clifford_torus(5, 5)):
+        assert kinds_without_zeros(K) == ["whitney"]
+    for K in (G.ball(3, 2), G.icosphere(1), G.a_star_lattice(2, 4), G.bcc_lattice(3), G.example(), G.cell_600(),
+              G.cross_polytope(3), G.regular_simplex(3), G.simplex_boundary(3)):
+        assert kinds_without_zeros(K) == ["circumcentric", "power", "whitney"]
+    silent = [name for name in ("ball", "icosphere", "cell_600") if "Star" in getattr(G, name).__doc__]
+    assert not silent and all("Star" in getattr(G, name).__doc__ for name in ("box", "periodic_box", "torus", "voxels"))

@@ -1,22 +1,18 @@
-"""The rooms forms and operators: wedge, δ and Δ, integration and interpolation, sharps and flats."""
+"""Between smooth and discrete forms: integration, interpolation, sharps and flats."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from math import comb
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-import scipy.sparse as sparse
 
 from . import _derham
-from ._arguments import Floats, Integers, flag, float_array, index_dtype, one_of, shown, whole_number
-from ._base import Side, compressed
-from ._contraction import MAX_ORDER, Contraction, Field
-from ._metric import DiagonalStarKind, Material, with_inverse
+from ._arguments import Floats, Integers, flag, float_array, index_dtype, one_of, whole_number
+from ._contraction import MAX_ORDER, Field
+from ._geometry import Geometry
 from .errors import InputError
-from .spaces import FormSpace
 
 
 class Located(NamedTuple):
@@ -27,162 +23,8 @@ class Located(NamedTuple):
     distance: Floats | Any
 
 
-class MixedLaplacian(NamedTuple):
-    """`matrix` x = λ `mass` x for x = (σ, u); the first `sigma` unknowns are those of σ."""
-
-    sigma: int
-    matrix: sparse.csr_array
-    mass: sparse.csr_array
-
-
-class Operators(Contraction):
-    """Operators on forms, most of which need a metric."""
-
-    def wedge(
-        self, a: npt.ArrayLike, p: int, b: npt.ArrayLike, q: int, *, sides: Side | tuple[Side, Side] = "primal"
-    ) -> Floats:
-        """a ∧ b of a p-form and a q-form. Needs no metric.
-
-        sides    those of a and b, or of both. Primal forms: the cup product, made antisymmetric. With dual forms there is
-                 f ∧ b of a function and a form of any sides, by means of f about every simplex, on the side of the form (of
-                 the second if both are functions); and a ∧ b of dual 1-forms for n = 2. The integral of a primal k-form
-                 ∧ a dual (n-k)-form is `a @ b`
-        Shape    those of forms of these degrees and sides; the result too
-        Laws     of primal forms d(a ∧ b) = da ∧ b + (-1)^p a ∧ db; of all b ∧ a = (-1)^(pq) a ∧ b. Associative on closed
-                 forms only
-        Invalid  Leibniz' rule of functions and forms of different sides, but for constants; products with dual forms
-                 are not exact on constant forms; dual 2-forms of boundary vertices are 0
-        Raises   InputError where there is no such product, or on a wrong shape; TopologyError for dual forms unless K is
-                 orientable and pure
-        Source   Whitney, "On products in a complex", 1938; Wilson 2007, §5; Ptáčková & Velho 2021, §3.1 (polygons)
-
-        >>> import derham
-        >>> K = derham.Complex([(0, 1, 2)])
-        >>> K.wedge([1.0, 2, 6], 0, [1.0], 0, sides=("primal", "dual"))
-        array([3.])
-        """
-        if not isinstance(sides, str) and (not isinstance(sides, Sequence) or len(sides) != 2):
-            raise InputError(f"sides is {shown(sides)}; expected 'primal', 'dual', or two of them")
-        a_side, b_side = (sides, sides) if isinstance(sides, str) else sides
-        a_dual, b_dual = self._side(a_side), self._side(b_side)
-        p = self._degree(p, name="p")
-        q = self._degree(q, 0, self.dimension - p, name="q")
-        x, y = self._one_form(a, p, a_side, "a"), self._one_form(b, q, b_side, "b")
-        if not (a_dual or b_dual):
-            result = np.empty(self._sizes[p + q])
-            self._core.apply_wedge(p, x, q, y, result)
-            return result
-        if p == 0:
-            return self._core.function_wedge(a_dual, x, b_dual, q, y)
-        if q == 0:
-            return self._core.function_wedge(b_dual, y, a_dual, p, x)
-        if self.dimension == 2 and a_dual and b_dual:
-            return self._core.polygon_wedge(x, y)
-        raise InputError(
-            f"there is no product of a {a_side} {p}-form and a {b_side} {q}-form in dimension {self.dimension}; there are "
-            "those of primal forms, of functions with all forms, and of dual 1-forms in dimension 2"
-        )
-
-    def codifferential(
-        self,
-        k: int,
-        kind: DiagonalStarKind = "circumcentric",
-        *,
-        side: Side = "primal",
-        weights: npt.ArrayLike | None = None,
-        material: Material | None = None,
-    ) -> sparse.csr_array:
-        """δ of k-forms, on primal ones ⋆_{k-1}⁻¹ d_{k-1}ᵀ ⋆_k, with a diagonal star.
-
-        Shape    |K_{k-1}| × |K_k|; dual: |K_{n-k+1}| × |K_{n-k}|
-        Units    length^-2
-        Boundary natural: the flux through it counts as zero
-        Raises   InputError unless 1 <= k <= n; otherwise as `star_inverse`
-        Source   Hirani 2003, §3.7
-        """
-        k = self._degree(k, 1)
-        dual = self._side(side)
-        arrays = with_inverse(self._star(kind, weights, material).codifferential, k, dual)
-        shape = (self._count(k - 1, dual), self._count(k, dual))
-        return compressed(sparse.csr_array, arrays, shape)
-
-    def laplacian(
-        self,
-        k: int,
-        kind: DiagonalStarKind = "circumcentric",
-        *,
-        side: Side = "primal",
-        weights: npt.ArrayLike | None = None,
-        material: Material | None = None,
-    ) -> sparse.csr_array:
-        """Laplace–de Rham Δ = dδ + δd of k-forms with a diagonal star; for functions minus the Laplacian of analysis.
-
-        Shape    |K_k| × |K_k|; dual: |K_{n-k}| × |K_{n-k}|
-        Units    length^-2
-        Matrix   self-adjoint for ⋆; where all dual volumes are positive, positive semi-definite with a kernel of
-                 dimension β_k on primal forms
-        Boundary natural
-        Raises   InputError unless 0 <= k <= n and n >= 1; otherwise as `star_inverse`
-        Source   Elcott & Schröder, "Building your own DEC at home", §7
-
-        >>> import derham
-        >>> K = derham.generate.a_star_lattice(2, 6)
-        >>> bool(abs(K.laplacian(0).sum(axis=1)).max() < 1e-12)
-        True
-        """
-        k = self._degree(k)
-        dual = self._side(side)
-        arrays = with_inverse(self._star(kind, weights, material).laplacian, k, dual)
-        return compressed(sparse.csr_array, arrays, (self._count(k, dual),) * 2)
-
-    def weak_laplacian(
-        self,
-        k: int,
-        kind: DiagonalStarKind = "circumcentric",
-        *,
-        weights: npt.ArrayLike | None = None,
-        material: Material | None = None,
-    ) -> sparse.csr_array:
-        """⋆_k Δ of primal k-forms with a diagonal star: an eigenproblem is solved with it against `star(k)`.
-
-        Shape    |K_k| × |K_k|, units length^(n-2k-2)
-        Matrix   symmetric; positive semi-definite with a kernel of dimension β_k where the stars are positive
-        Raises   InputError unless 0 <= k <= n and n >= 1; otherwise as `star_inverse(k - 1)`
-        """
-        k = self._degree(k)
-        arrays = with_inverse(self._star(kind, weights, material).weak_laplacian, k)
-        return compressed(sparse.csr_array, arrays, (self._sizes[k],) * 2)
-
-    def mixed_laplacian(
-        self, k: int, *, material: Material | None = None, space: FormSpace | None = None
-    ) -> MixedLaplacian:
-        """Laplace–de Rham of k-forms u with Whitney masses and σ = δu as an unknown of its own: valid on every mesh.
-
-        space    where u and σ are prescribed to be 0; rows and columns are then those of free simplices
-        Shape    matrix and mass: σ and u, |K_{k-1}| + |K_k|, or how many of them are free
-        Raises   InputError unless 0 <= k <= n and n >= 1, or for a form space of another complex; GeometryError without a
-                 metric, or naming flat top simplices
-        Source   Arnold, Falk, Winther, "Finite element exterior calculus", 2006, §7
-        """
-        k = self._degree(k)
-        sigma = self.size(k - 1)
-        shape = (sigma + self._sizes[k],) * 2
-        matrix, mass = (
-            compressed(sparse.csr_array, arrays, shape)
-            for arrays in self._core.mixed_laplacian(k, self._material(material))
-        )
-        if space is None:
-            return MixedLaplacian(sigma, matrix, mass)
-        if not isinstance(space, FormSpace):
-            raise InputError(f"space is {shown(space)}; expected a form space of this complex")
-        if space.complex is not self:
-            raise InputError("the form space is of another complex")
-        free_sigma = space.free(k - 1) if k else space.free(0)[:0]
-        free = np.concatenate([free_sigma, sigma + space.free(k)])
-        return MixedLaplacian(len(free_sigma), matrix[free][:, free], mass[free][:, free])
-
-    def _count(self, k: int, dual: bool) -> int:
-        return self._sizes[self.dimension - k if dual else k]
+class Fields(Geometry):
+    """What smooth and discrete forms have to do with one another."""
 
     def integrate(self, f: Field, k: int, *, order: int = 3, flux: bool = False) -> Floats:
         """The de Rham map: the integrals of a smooth k-form over the k-simplices, by a rule exact up to `order`.
