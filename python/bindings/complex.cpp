@@ -1,17 +1,14 @@
 #include "arrays.hpp"
 #include "rooms.hpp"
+#include "simplex_rows.hpp"
 
-#include "derham/complex/incidence.hpp"
-#include "derham/complex/subcomplex.hpp"
 #include "derham/core/parallel.hpp"
 #include "derham/io/unused_vertices.hpp"
 
-#include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace derham::python {
@@ -51,15 +48,8 @@ void construct(AnyComplex* self, const Rows& rows, Index vertex_count, const Coo
 /// Rows of several lengths: `ends` says where in `vertices` each ends.
 void construct_mixed(AnyComplex* self, const Indices& vertices, const Indices& ends, Index vertex_count,
                      const Coordinates& points, bool drop_unused) {
-  without_gil([&] {
-    SimplexList list;
-    std::size_t begin = 0;
-    for (const Index end : span_of(ends)) {
-      list.push_back(span_of(vertices).subspan(begin, static_cast<std::size_t>(end) - begin));
-      begin = static_cast<std::size_t>(end);
-    }
-    new (self) AnyComplex(mesh_of(std::move(list), vertex_count, points, {}, {}, drop_unused));
-  });
+  without_gil(
+      [&] { new (self) AnyComplex(mesh_of(rows_of(vertices, ends), vertex_count, points, {}, {}, drop_unused)); });
 }
 
 Index size(const AnyComplex& any, int k) {
@@ -105,48 +95,6 @@ auto find(const AnyComplex& any, const Rows& tuples) {
   return std::pair(owned(std::move(index)), owned(std::move(sign)));
 }
 
-auto incident(const AnyComplex& any, int k, int m) {
-  auto table = without_gil([&] { return any.with_complex([&](const auto& K) { return incidence(K, k, m); }); });
-  return std::pair(owned(std::move(table.offsets)), owned(std::move(table.indices)));
-}
-
-/// A set of simplices as Python has it: the increasing indices of every degree.
-using Lists = std::vector<Indices>;
-
-template <int n>
-SimplexSet<n> set_of(const Lists& lists) {
-  SimplexSet<n> set;
-  for (std::size_t k = 0; k < std::min(lists.size(), set.indices.size()); ++k) set.indices[k] = copied(lists[k]);
-  return set;
-}
-
-template <class Set>
-auto lists_of(Set set) {
-  return owned_each(std::move(set.indices));
-}
-
-auto closure_of(const AnyComplex& any, const Lists& lists) {
-  return any.with_complex([&]<int n>(const SimplicialComplex<n>& K) {
-    return lists_of(without_gil([&] { return closure(K, set_of<n>(lists)); }));
-  });
-}
-
-auto open_star_of(const AnyComplex& any, const Lists& lists) {
-  return any.with_complex([&]<int n>(const SimplicialComplex<n>& K) {
-    return lists_of(without_gil([&] { return star(CofaceLists<n>(K), set_of<n>(lists)); }));
-  });
-}
-
-auto link_of(const AnyComplex& any, const Lists& lists) {
-  return any.with_complex([&]<int n>(const SimplicialComplex<n>& K) {
-    return lists_of(without_gil([&] { return link(K, CofaceLists<n>(K), set_of<n>(lists)); }));
-  });
-}
-
-auto boundary_of(const AnyComplex& any) {
-  return any.with_complex([](const auto& K) { return lists_of(without_gil([&] { return boundary_simplices(K); })); });
-}
-
 /// A question that K answers at once.
 template <class Question>
 auto asked(Question question) {
@@ -167,11 +115,6 @@ void bind_complex(ComplexClass& complex) {
   complex.def("faces", &faces, arg("k"));
   complex.def("signs", &signs);
   complex.def("find", &find, arg("tuples"));
-  complex.def("incidence", &incident, arg("k"), arg("m"));
-  complex.def("closure", &closure_of, arg("set"));
-  complex.def("open_star", &open_star_of, arg("set"));
-  complex.def("link", &link_of, arg("set"));
-  complex.def("boundary_simplices", &boundary_of);
   complex.def("is_orientable", asked([](const auto& K) { return K.is_orientable(); }));
   complex.def("is_pure", asked([](const auto& K) { return K.is_pure(); }));
   complex.def("component_count", asked([](const auto& K) { return K.component_count(); }), nb::call_guard<Unlocked>());

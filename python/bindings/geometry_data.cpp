@@ -2,12 +2,14 @@
 #include "rooms.hpp"
 
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,14 @@ namespace derham::python {
 namespace {
 
 auto numbers(const std::vector<std::int64_t>& tags) { return owned(std::vector<std::int64_t>(tags)); }
+
+/// (name, number, degree, how many members) of every part.
+auto parts_without_members(const AnyComplex& any) {
+  std::vector<std::tuple<std::string, std::int64_t, int, std::size_t>> parts;
+  for (const MeshPart& part : any.rest().parts)
+    parts.emplace_back(part.name, part.number, part.degree, part.members.size());
+  return parts;
+}
 
 /// The vertices of the simplices of part number `part`, each simplex as the mesh lists it.
 auto tagged_simplices(const AnyComplex& any, std::size_t part) {
@@ -42,9 +52,13 @@ auto tagged_simplices(const AnyComplex& any, std::size_t part) {
 /// degrees between 0 and n are vertices, simplex after simplex, which become rows of `lower`.
 AnyComplex with_data(const AnyComplex& any, const Tuples& parts, const Tuples& fields, const Tuples& forms,
                      const std::vector<std::string>& notes) {
+  std::vector<MeshPart> new_parts = parts_of(parts);
+  std::vector<MeshField> new_fields = fields_of(fields);
+  std::vector<MeshForm> new_forms = forms_of(forms);
+  const Unlocked unlocked;
   AnyComplex result = any;
   MeshData& mesh = result.rest();
-  for (MeshPart& part : parts_of(parts)) {
+  for (MeshPart& part : new_parts) {
     const auto k = static_cast<std::size_t>(part.degree);
     if (0 < part.degree && part.degree < any.dimension()) {
       if (mesh.lower.size() <= k) mesh.lower.resize(k + 1);
@@ -60,11 +74,11 @@ AnyComplex with_data(const AnyComplex& any, const Tuples& parts, const Tuples& f
     });
     mesh.parts.push_back(std::move(part));
   }
-  for (MeshField& field : fields_of(fields)) {
+  for (MeshField& field : new_fields) {
     std::erase_if(mesh.fields, [&](const MeshField& old) { return old.on == field.on && old.name == field.name; });
     mesh.fields.push_back(std::move(field));
   }
-  for (MeshForm& form : forms_of(forms)) {
+  for (MeshForm& form : new_forms) {
     std::erase_if(mesh.forms, [&](const MeshForm& old) { return old.name == form.name; });
     mesh.forms.push_back(std::move(form));
   }
@@ -76,7 +90,7 @@ AnyComplex with_data(const AnyComplex& any, const Tuples& parts, const Tuples& f
 
 void bind_geometry_data(ComplexClass& complex) {
   using nb::arg;
-  complex.def("parts", [](const AnyComplex& any) { return listed(any.rest().parts); });
+  complex.def("parts", &parts_without_members);
   complex.def("fields", [](const AnyComplex& any) { return listed(any.rest().fields); });
   complex.def("forms", [](const AnyComplex& any) { return listed(any.rest().forms); });
   complex.def("notes", [](const AnyComplex& any) { return any.rest().notes; });

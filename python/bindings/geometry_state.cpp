@@ -1,6 +1,7 @@
 #include "arrays.hpp"
 #include "mesh_items.hpp"
 #include "rooms.hpp"
+#include "simplex_rows.hpp"
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
@@ -30,14 +31,7 @@ nb::tuple state_of(const SimplexList& list) {
 
 SimplexList list_of(const nb::handle& state) {
   const auto [width, vertices, ends] = nb::cast<std::tuple<int, Indices, Indices>>(state);
-  if (width > 0) return SimplexList(width - 1, copied(vertices));
-  SimplexList list;
-  std::size_t begin = 0;
-  for (const Index end : span_of(ends)) {
-    list.push_back(span_of(vertices).subspan(begin, static_cast<std::size_t>(end) - begin));
-    begin = static_cast<std::size_t>(end);
-  }
-  return list;
+  return width > 0 ? SimplexList(width - 1, copied(vertices)) : rows_of(vertices, ends);
 }
 
 State state(const AnyComplex& any) {

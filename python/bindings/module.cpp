@@ -9,6 +9,7 @@ NB_MODULE(_derham, module) {
   bind_core(module);
   ComplexClass complex(module, "Complex");
   bind_complex(complex);
+  bind_complex_sets(complex);
   BoundaryClass boundary(module, "Boundary");
   bind_boundary(complex, boundary);
   bind_forms(complex, boundary);
@@ -22,8 +23,9 @@ NB_MODULE(_derham, module) {
   bind_operators(complex, star);
   bind_operator_boundary(boundary);
   bind_operator_contractions(complex, star);
-  bind_operator_fields(module, complex);
+  bind_operator_fields(complex);
   bind_operator_matrices(complex, star);
+  bind_operator_points(module, complex);
   bind_operator_spaces(module, complex);
   bind_meshes(module);
   bind_io(module, complex);

@@ -15,6 +15,7 @@ using StarClass = nanobind::class_<AnyStar>;
 
 void bind_core(nanobind::module_& module);
 void bind_complex(ComplexClass& complex);
+void bind_complex_sets(ComplexClass& complex);
 void bind_boundary(ComplexClass& complex, BoundaryClass& boundary);
 void bind_forms(ComplexClass& complex, BoundaryClass& boundary);
 void bind_form_maps(nanobind::module_& module);
@@ -26,8 +27,9 @@ void bind_hodge(StarClass& star);
 void bind_operators(ComplexClass& complex, StarClass& star);
 void bind_operator_boundary(BoundaryClass& boundary);
 void bind_operator_contractions(ComplexClass& complex, StarClass& star);
-void bind_operator_fields(nanobind::module_& module, ComplexClass& complex);
+void bind_operator_fields(ComplexClass& complex);
 void bind_operator_matrices(ComplexClass& complex, StarClass& star);
+void bind_operator_points(nanobind::module_& module, ComplexClass& complex);
 void bind_operator_spaces(nanobind::module_& module, ComplexClass& complex);
 void bind_meshes(nanobind::module_& module);
 void bind_io(nanobind::module_& module, ComplexClass& complex);

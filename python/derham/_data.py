@@ -38,7 +38,7 @@ class Data(Base):
     @property
     def parts(self) -> tuple[Part, ...]:
         """The tagged points, curves, surfaces and regions of the mesh."""
-        return tuple(Part(name, number, degree, len(members)) for name, number, degree, members in self._core.parts())
+        return tuple(Part(*part) for part in self._core.parts())
 
     @property
     def vertex_fields(self) -> dict[str, Floats]:

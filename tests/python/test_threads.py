@@ -103,6 +103,7 @@ SHORT: dict[str, Callable[[Work], object]] = {
     "flat": lambda x: x.core.flat("ppp", x.K.points),
     "apply_wedge": lambda x: x.core.apply_wedge(1, x.w[1], 2, x.w[2], x.w[3]),
     "form_space": lambda x: x.core.form_space(None),
+    "with_data": lambda x: x.tagged._core.with_data([], [], [], []),
     "tagged_chain": lambda x: x.tagged._core.tagged_chain(x.place["body"], False),
     "tagged_facets": lambda x: x.tagged._core.tagged_facets(x.place["skin"]),
 }
