@@ -251,7 +251,7 @@ class Refusals(Case):
                 self.assertEqual(subprocess.run([PROGRAM, "info", box], stdout=full, stderr=subprocess.DEVNULL).returncode, 4)
 
     def test_too_large(self):
-        self.refused(6, "generate", "box", "--cells", 100000, "--out", self.directory / "x.msh")
+        self.refused(6, "generate", "box", "--cells", 10000000, "--out", self.directory / "x.msh")
         self.assertEqual(list(self.directory.iterdir()), [])
 
     def test_closed_streams(self):

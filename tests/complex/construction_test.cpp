@@ -99,6 +99,19 @@ TYPED_TEST(Construction, StarsOfEverySize) {
   }
 }
 
+// The edge from vertex 1 to each of many is looked for: the first few one after the other, the others by halving.
+TYPED_TEST(Construction, ManyTetsAroundOneEdge) {
+  if constexpr (TypeParam::value == 3) {
+    for (const Index size : {3, 8, 9, 62, 63, 64, 65, 66, 67, 72, 73, 129, 600}) {
+      this->compare(1, [&](Random& random) {
+        Rows rows;
+        for (Index i = 0; i < size; ++i) rows.push_back({0, 1, 2 + i, 2 + (i + 1) % size});
+        return support::reordered(rows, random);
+      });
+    }
+  }
+}
+
 TYPED_TEST(Construction, SeveralBlocksOfVertices) {
   constexpr int dimension = TypeParam::value;
   if constexpr (dimension >= 1 && dimension <= 3) {

@@ -2,7 +2,7 @@
 // the one before it where its simplices begin in the lists, so that the links of a vertex are looked at once.
 #include "derham/complex/block_links.hpp"
 #include "derham/complex/construction.hpp"
-#include "derham/complex/find_second.hpp"
+#include "derham/complex/find_pair.hpp"
 #include "derham/complex/validation.hpp"
 #include "derham/core/ordered_blocks.hpp"
 #include "derham/core/parallel.hpp"
@@ -80,9 +80,7 @@ void ComplexBuilder<n>::find_last_sides(SimplicialComplex<n>& K, Index triangles
         __builtin_prefetch(next);
         __builtin_prefetch(next + 14);
       }
-      // Of the edges from v1 the one to v2.
-      const Index begin = bucket[triangle[3 * i + 1]];
-      faces[3 * i + 2] = begin + find_second(edges + at(begin) * 2, triangle[3 * i + 2]);
+      faces[3 * i + 2] = find_pair(edges, bucket, triangle[3 * i + 1], triangle[3 * i + 2]);
     }
   });
 }
@@ -100,7 +98,7 @@ RowSigns ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const SimplexL
   for (int k = 1; k <= n; ++k) {
     K.buckets_[at(k)].assign(at(vertices) + 1, 0);
     const auto most = count * at(static_cast<Index>(binomial(n + 1, k + 1)));
-    if (k < n) K.simplices_[at(k)] = BulkArray<Index>(most * at(k + 1) + (k == 1 ? 2 * find_second_margin : 0));
+    if (k < n) K.simplices_[at(k)] = BulkArray<Index>(most * at(k + 1) + (k == 1 ? 2 * find_pair_margin : 0));
     if (k == n || k == 2) K.faces_[at(k)] = BulkArray<Index>(most * at(k + 1));
   }
   K.top_order_ = BulkArray<Index>(count);
@@ -141,7 +139,7 @@ RowSigns ComplexBuilder<n>::build_blocks(SimplicialComplex<n>& K, const SimplexL
 
   const auto [edges, triangles, found] = total;
   if constexpr (n == 3) {
-    std::fill_n(K.simplices_[1].begin() + edges * 2, 2 * find_second_margin, Index{-1});
+    std::fill_n(K.simplices_[1].begin() + edges * 2, 2 * find_pair_margin, Index{-1});
     if (tops.is_local())
       find_last_sides<true>(K, static_cast<Index>(triangles));
     else
