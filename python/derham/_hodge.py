@@ -139,9 +139,9 @@ class Hodge(Geometry):
     ) -> _derham.Star:
         """A diagonal star, kept if it has neither weights nor a material. `instead`: what to do who asks for "whitney"."""
         if not isinstance(kind, str) or kind not in STAR_KINDS[:-1]:
-            sparse = f", whose inverse is not sparse: {instead}" if isinstance(kind, str) and kind == "whitney" else ""
+            reason = f", whose inverse is not sparse: {instead}" if isinstance(kind, str) and kind == "whitney" else ""
             raise InputError(
-                f"the kind of star is {shown(kind)}{sparse}; expected a diagonal one of {', '.join(STAR_KINDS[:-1])}"
+                f"the kind of star is {shown(kind)}{reason}; expected a diagonal one of {', '.join(STAR_KINDS[:-1])}"
             )
         if weights is not None and kind != "power":
             raise InputError(f"weights are given for the {kind} star; only kind='power' has weights")
