@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a call of the Python package costs on the smallest meshes: every public method of Complex, in microseconds.
+"""What a call of the Python package costs on the smallest meshes: every public method of Complex and more, in microseconds.
 
     python bench/python_overhead.py [--threads COUNT] [--limit MICROSECONDS]
 
@@ -91,6 +91,7 @@ def calls(folder: Path) -> dict[str, Callable[[], object]]:
         "locate": lambda: K.locate(at),
         "metric_source": lambda: K.metric_source,
         "mixed_laplacian": lambda: K.mixed_laplacian(1),
+        "mixed_laplacian, space": lambda: K.mixed_laplacian(1, space=space),
         "notes": lambda: K.notes,
         "one_sided": lambda: K.one_sided,
         "open_star": lambda: K.open_star({0: [0]}),
@@ -100,6 +101,7 @@ def calls(folder: Path) -> dict[str, Callable[[], object]]:
         "quality": K.quality,
         "refined": K.refined,
         "renumbered": K.renumbered,
+        "rips": lambda: derham.rips(points, 1.2, 2),
         "robin_matrix": lambda: K.robin_matrix(0, S),
         "sharp": lambda: K.sharp(w),
         "signs": lambda: K.signs,

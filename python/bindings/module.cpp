@@ -28,6 +28,7 @@ NB_MODULE(_derham, module) {
   bind_operator_points(module, complex);
   bind_operator_spaces(module, complex);
   bind_meshes(module);
+  bind_point_clouds(module);
   bind_io(module, complex);
   bind_io_series(module);
 }

@@ -32,6 +32,7 @@ void bind_operator_matrices(ComplexClass& complex, StarClass& star);
 void bind_operator_points(nanobind::module_& module, ComplexClass& complex);
 void bind_operator_spaces(nanobind::module_& module, ComplexClass& complex);
 void bind_meshes(nanobind::module_& module);
+void bind_point_clouds(nanobind::module_& module);
 void bind_io(nanobind::module_& module, ComplexClass& complex);
 void bind_io_series(nanobind::module_& module);
 

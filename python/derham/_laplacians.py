@@ -108,21 +108,21 @@ class Laplacians(Hodge):
         Source   Arnold, Falk, Winther, "Finite element exterior calculus", 2006, §7
         """
         k = self._degree(k)
-        sigma = self.size(k - 1)
-        shape = (sigma + self._sizes[k],) * 2
+        sigma, kept = self.size(k - 1), None
+        count = sigma + self._sizes[k]
+        if space is not None:
+            if not isinstance(space, FormSpace):
+                raise InputError(f"space is {shown(space)}; expected a form space of this complex")
+            if space.complex is not self:
+                raise InputError("the form space is of another complex")
+            free_sigma = space.free(k - 1) if k else space.free(0)[:0]
+            kept = np.concatenate([free_sigma, sigma + space.free(k)])
+            sigma, count = len(free_sigma), len(kept)
         matrix, mass = (
-            compressed(sparse.csr_array, arrays, shape)
-            for arrays in self._core.mixed_laplacian(k, self._material(material))
+            compressed(sparse.csr_array, arrays, (count, count))
+            for arrays in self._core.mixed_laplacian(k, self._material(material), kept)
         )
-        if space is None:
-            return MixedLaplacian(sigma, matrix, mass)
-        if not isinstance(space, FormSpace):
-            raise InputError(f"space is {shown(space)}; expected a form space of this complex")
-        if space.complex is not self:
-            raise InputError("the form space is of another complex")
-        free_sigma = space.free(k - 1) if k else space.free(0)[:0]
-        free = np.concatenate([free_sigma, sigma + space.free(k)])
-        return MixedLaplacian(len(free_sigma), matrix[free][:, free], mass[free][:, free])
+        return MixedLaplacian(sigma, matrix, mass)
 
     def _count(self, k: int, dual: bool) -> int:
         return self._sizes[self.dimension - k if dual else k]

@@ -7,7 +7,6 @@ from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
-import scipy.sparse as sparse
 from scipy.spatial import cKDTree
 from scipy.special import comb
 
@@ -16,8 +15,8 @@ from ._arguments import Floats, Integers, float_array, index_dtype, one_of, real
 from .complex import Complex
 from .errors import GeometryError, InputError, LimitError
 
-#: Entries of the sparse matrices that cliques are made of at a time.
-_BLOCK = 1 << 22
+#: Of so many points no tree is made, nor others asked.
+_FEW = 64
 
 
 def rips(
@@ -26,7 +25,7 @@ def rips(
     dimension: int,
     *,
     limit: int = 10_000_000,
-    backend: Literal["gudhi", "numpy"] | None = None,
+    backend: Literal["gudhi", "derham"] | None = None,
 ) -> Complex:
     """The Vietoris–Rips complex: every set of points whose distances are all at most `radius` is a simplex.
 
@@ -34,8 +33,8 @@ def rips(
     radius     the greatest length of an edge, not half of it: PyDEC's delta, GUDHI's max_edge_length
     dimension  simplices of higher dimension are left out, 0 to 6; the complex has less where there are none
     limit      of the number of simplices of every degree
-    backend    who finds the cliques, always the same ones: "gudhi", which counts only afterwards; "numpy", which stops at
-               the limit; by default GUDHI if it is installed and the limit is not in doubt
+    backend    who finds the cliques, always the same ones: "gudhi", which counts only afterwards; "derham", which stops at
+               the limit; by default GUDHI for more than 64 points, if it is installed and the limit is not in doubt
 
     The complex is seldom pure and has no metric: its simplices overlap in space, and may have more dimensions than space.
     The lists of all degrees have lexicographic order.
@@ -59,28 +58,32 @@ def rips(
     if not radius >= 0:
         raise InputError(f"the radius is {radius}; expected a length of 0 or more")
     dimension = whole_number(dimension, "the dimension", 0, 6)
-    limit = whole_number(limit, "the limit", 0, 2**63)
+    limit = whole_number(limit, "the limit", 0, 2**63 - 1)
     if backend is not None:
-        one_of(backend, ("gudhi", "numpy"), "the backend")
+        one_of(backend, ("gudhi", "derham"), "the backend")
     vertices = np.arange(len(x), dtype=index_dtype).reshape(-1, 1)
     if len(x) == 0 or dimension == 0:
         return Complex(vertices)
     edges = _edges(x, radius, limit)
     if backend is None:
-        backend = "gudhi" if find_spec("gudhi") and _at_most(edges, dimension) <= limit else "numpy"
+        use_gudhi = len(x) > _FEW and find_spec("gudhi") and _at_most(edges, dimension) <= limit
+        backend = "gudhi" if use_gudhi else "derham"
     cliques = _cliques_of_gudhi if backend == "gudhi" else _cliques
     return _complex([vertices, edges, *cliques(len(x), edges, dimension, limit)])
 
 
 def _edges(x: Floats, radius: float, limit: int) -> Integers:
     """Pairs of points at most `radius` apart. The tree finds candidates only: its rounding is not ours."""
+    if len(x) <= _FEW:
+        edges: Integers = _derham.near_pairs(x, radius, None)
+        _require(len(edges), 1, limit)
+        return edges
     tree = cKDTree(x)
     reach = radius * (1 + 1e-12)
     _require((int(tree.count_neighbors(tree, reach)) - len(x)) // 2, 1, limit)
     pairs = tree.query_pairs(reach, output_type="ndarray")
-    pairs = pairs[np.linalg.norm(x[pairs[:, 0]] - x[pairs[:, 1]], axis=1) <= radius]
-    edges: Integers = pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))].astype(index_dtype)
-    return edges
+    pairs = pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))].astype(index_dtype)
+    return _derham.near_pairs(x, radius, pairs)
 
 
 def _at_most(edges: Integers, dimension: int) -> float:
@@ -90,31 +93,11 @@ def _at_most(edges: Integers, dimension: int) -> float:
 
 
 def _cliques(vertex_count: int, edges: Integers, dimension: int, limit: int) -> list[Integers]:
-    """The simplices of degree 2, 3, …: each with every vertex behind its last one that neighbours all its vertices."""
-    shape = (vertex_count, vertex_count)
-    behind = sparse.csr_array((np.ones(len(edges), np.bool_), (edges[:, 0], edges[:, 1])), shape=shape)
-    lists = [edges]
-    common, parents = behind, edges[:, 0]
-    for k in range(2, dimension + 1):
-        common = _common_of_cofaces(common, parents, behind, k, limit)
-        parents = np.repeat(np.arange(len(lists[-1])), np.diff(common.indptr))
-        lists.append(np.column_stack([lists[-1][parents], common.indices]).astype(index_dtype))
-    return lists[1:]
-
-
-def _common_of_cofaces(
-    common: sparse.csr_array, parents: Integers, behind: sparse.csr_array, k: int, limit: int
-) -> sparse.csr_array:
-    """From the common neighbours behind every (k-2)-simplex those behind every (k-1)-simplex, in blocks."""
-    last = common.indices
-    work = np.cumsum(np.diff(common.indptr)[parents])
-    cuts = np.searchsorted(work, np.arange(_BLOCK, work[-1] if len(work) else 0, _BLOCK)).tolist()
-    blocks, count = [], 0
-    for a, b in zip([0, *cuts], [*cuts, len(last)]):
-        blocks.append(common[parents[a:b]].multiply(behind[last[a:b]]).tocsr())
-        count += blocks[-1].nnz
+    """The simplices of degree 2, 3, …"""
+    lists = _derham.cliques(edges, vertex_count, dimension, limit)
+    for k, (count, _) in enumerate(lists, 2):
         _require(count, k, limit)
-    return sparse.csr_array(sparse.vstack(blocks, format="csr"))
+    return [rows for _, rows in lists]
 
 
 def _cliques_of_gudhi(vertex_count: int, edges: Integers, dimension: int, limit: int) -> list[Integers]:
