@@ -2,6 +2,7 @@
 
 #include "derham/complex/incidence.hpp"
 #include "derham/core/error.hpp"
+#include "derham/core/kept.hpp"
 #include "derham/core/parallel.hpp"
 #include "derham/core/text.hpp"
 #include "derham/geometry/geometry.hpp"
@@ -16,7 +17,6 @@
 #include <array>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
@@ -152,7 +152,6 @@ class InteriorProduct : public Symbol {
  private:
   /// What stands around the simplices of one degree.
   struct Surroundings {
-    std::once_flag made;
     Incidence tops;
     std::vector<char> entered;  // detail::inflow, or empty if nobody asks
 
@@ -161,13 +160,12 @@ class InteriorProduct : public Symbol {
 
   template <int k>
   [[nodiscard]] const Surroundings& around() const {
-    Surroundings& result = (*around_)[k - 1];
-    std::call_once(result.made, [&] {
-      result.tops = incidence(*complex_, k - 1, n);
+    return (*around_)[k - 1].get([this] {
+      Surroundings result{incidence(*complex_, k - 1, n), {}};
       if (trace_ == Trace::upwind && k < n)
         result.entered = detail::inflow<n, k - 1>(*complex_, *geometry_, field_, order_);
+      return result;
     });
-    return result;
   }
 
   template <int k>
@@ -199,7 +197,7 @@ class InteriorProduct : public Symbol {
   Field field_;
   Trace trace_;
   int order_;
-  std::shared_ptr<std::array<Surroundings, n>> around_ = std::make_shared<std::array<Surroundings, n>>();
+  std::shared_ptr<std::array<Kept<Surroundings>, n>> around_ = std::make_shared<std::array<Kept<Surroundings>, n>>();
 };
 
 /// L_X w = d i_X w + i_X dw, for an interior product i_X of any kind: Cartan's formula is the definition, so that

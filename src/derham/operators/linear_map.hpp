@@ -1,12 +1,12 @@
 #pragma once
 
+#include "derham/core/kept.hpp"
 #include "derham/core/types.hpp"
 
 #include <Eigen/SparseCore>
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -33,16 +33,14 @@ class LinearMap {
 
   /// Assembled at the first call, and kept.
   [[nodiscard]] const SparseMatrix& matrix() const {
-    std::call_once(assembled_, [this] { matrix_ = assemble(); });
-    return matrix_;
+    return matrix_.get([this] { return assemble(); });
   }
 
  private:
   [[nodiscard]] virtual SparseMatrix assemble() const = 0;
 
   Index columns_, rows_;
-  mutable std::once_flag assembled_;
-  mutable SparseMatrix matrix_;
+  Kept<SparseMatrix> matrix_;
 };
 
 using LinearMapPtr = std::shared_ptr<const LinearMap>;
