@@ -86,7 +86,7 @@ class DeRhamMap {
                                " in space of ", geometry_->ambient_dimension()));
     return integrals<n - 1>([&X](Index, Edges<n - 1> edges) {
       return [&X, edges](Point x) {
-        const auto value = X(x);
+        const auto& value = X(x);
         require_components(value.size(), n);
         std::array<double, n> first{};
         for (std::size_t c = 0; c < n; ++c) first[c] = value[c];
@@ -115,7 +115,7 @@ class DeRhamMap {
     const auto columns = subsets<k>(geometry_->ambient_dimension());
     return integrals<k>([&](Index, Edges<k> edges) {
       return [&w, &columns, edges](Point x) {
-        const auto value = w(x);
+        const auto& value = w(x);
         require_components(value.size(), columns.size());
         double sum = 0;
         for (std::size_t i = 0; i < columns.size(); ++i) sum += value[i] * minor_of<k>(edges.rows, columns[i]);
